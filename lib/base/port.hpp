@@ -1,0 +1,37 @@
+// The only place in lib/ that looks at the compiler: read-only memory and restrict.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+// DAPPLE_ROM marks constant data that must not cost RAM. On AVR flash is a second address space, so such data is read
+// through rom_load and nothing else; everywhere else both are the plain thing.
+#if defined(__AVR__)
+#define DAPPLE_ROM __attribute__((section(".progmem.data")))
+#else
+#define DAPPLE_ROM
+#endif
+
+// Row kernels promise that their rows do not overlap.
+#define DAPPLE_RESTRICT __restrict
+
+namespace dapple::base {
+
+// rom_load(p) == *p for an object that was defined DAPPLE_ROM.
+#if defined(__AVR__)
+template <class T> inline T rom_load(const T* p) {
+  T value;
+  uint8_t* to = reinterpret_cast<uint8_t*>(&value);
+  const uint8_t* from = reinterpret_cast<const uint8_t*>(p);
+  for (uint16_t i = 0; i < sizeof(T); ++i) {
+    uint8_t byte;
+    asm("lpm %0, Z" : "=r"(byte) : "z"(from + i));
+    to[i] = byte;
+  }
+  return value;
+}
+#else
+template <class T> inline T rom_load(const T* p) { return *p; }
+#endif
+
+}  // namespace dapple::base

@@ -1,0 +1,29 @@
+// What calls answer: errors are negative, and only begin and parse return them.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <stdint.h>
+
+namespace dapple {
+
+enum Status : int8_t {
+  ok = 0,
+  more = 1,   // step: call again
+  done = 2,   // step: the texture is complete
+
+  // parse: Trouble says where
+  unknown_word = -1,    // no such model, key, word or ramp
+  out_of_range = -2,    // a number outside its range
+  broken_text = -3,     // not a number, a missing '=', something after the end
+  not_possible = -4,    // words that exclude each other
+
+  // begin: Need says what it wanted
+  bad_recipe = -10,     // stages that do not fit each other, or numbers outside their ranges
+  bad_side = -11,       // a side below 8
+  not_a_multiple = -12, // a side that the recipe's coarsest grid does not divide
+  tile_too_small = -13, // a side below what the pattern needs
+  too_large = -14,      // the texture does not fit the address space
+  too_little_memory = -15,
+  bad_bands = -16,      // 0, or more than 64
+};
+
+}  // namespace dapple

@@ -1,0 +1,202 @@
+// dapple grows seamless organic textures from a recipe and a 32-bit seed, in integers only: the same bytes on every
+// machine. This header is the reference; README.md is the manual; docs/numbers.md is the numeric contract.
+//
+//   alignas(4) static uint8_t memory[dapple::bytes_for(dapple::presets::zebra, dapple::torus(64, 64))];
+//   dapple::Texture tile;
+//   if (tile.begin(dapple::presets::zebra, dapple::torus(64, 64), 7, memory, sizeof memory) != dapple::ok) fault();
+//   while (tile.step(8) == dapple::more) watchdog();
+//   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
+//
+// No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
+// two textures never share anything, so they may run on two threads.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "recipe/presets.hpp"
+
+namespace dapple {
+
+// major * 10000 + minor * 100 + patch. The bytes of a preset change only with the major version (before 1.0: with a line
+// under "Output" in CHANGES.md).
+constexpr int32_t kVersion = 100;
+
+// How a texture is grown; none of it changes a byte of the result.
+struct Options {
+  uint8_t bands = 1;                            // 1..64 bands of rows that could run at once; each has its own scratch
+  const grid::KernelSwap* kernels = nullptr;    // faster row kernels with the same bytes; null: the portable ones
+};
+
+// What a recipe needs on a domain, and what is wrong if it does not fit.
+struct Need {
+  Status status;           // ok, or why begin would refuse
+  size_t bytes;            // of memory in all, with slack for aligning it; 0 when status is not ok
+  size_t planes, scratch, paint, rest;  // the parts of it
+  uint16_t width, height;  // the smallest sides the pattern fits
+  uint16_t multiple;       // sides must be multiples of this
+  uint16_t reach;          // largest distance, in cells, of two cells that meet in one sweep
+  uint32_t sweeps;         // over the grid, in all
+};
+
+namespace api {
+
+constexpr uint16_t side(int64_t micro) {
+  const int64_t cells = (micro + base::kMicro - 1) / base::kMicro;
+  return static_cast<uint16_t>(cells < kSmallestSide ? kSmallestSide : cells > 65535 ? 65535 : cells);
+}
+
+// Two wavelengths of the coarsest-grained stage; one and a half pitches of seeds (two columns, two rows of discs).
+constexpr void smallest(const Recipe& recipe, Need& need) {
+  int64_t wide = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const int64_t length = 2 * static_cast<int64_t>(recipe.stage[i].model->wavelength(recipe.stage[i].number));
+    wide = length > wide ? length : wide;
+  }
+  int64_t high = wide;
+  if (recipe.start.kind == Start::seeds) {
+    const int64_t across = static_cast<int64_t>(recipe.start.pitch) * 3 / 2;
+    const int64_t down = across * recipe.start.aspect / base::kMicro;
+    wide = across > wide ? across : wide;
+    high = down > high ? down : high;
+  }
+  need.width = side(wide);
+  need.height = side(high);
+}
+
+constexpr bool good_stages(const Recipe& recipe) {
+  if (recipe.stages < 1 || recipe.stages > kMaxStages) return false;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.model == nullptr || s.solver == nullptr || s.level > kMaxLevel || !s.model->in_range(s.number)) return false;
+    const uint8_t planes = s.model->planes(s.number);
+    if (planes < 1 || planes > grid::kMaxPlanes) return false;
+    if ((i == 0) != (s.entry == Entry::start)) return false;
+    if (i == 0) continue;
+    const Stage& before = recipe.stage[i - 1];
+    if (before.model->planes(before.number) != planes || before.model->cell != s.model->cell) return false;
+    if (s.entry == Entry::carry && s.level != before.level) return false;
+    if (s.entry == Entry::refine && (s.level + 1 != before.level || s.model->cell == grid::Cell::bit)) return false;
+  }
+  return recipe.stage[recipe.stages - 1].level == 0;
+}
+
+constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
+  if (!good_stages(recipe)) return bad_recipe;
+  if (bands < 1 || bands > kMaxBands) return bad_bands;
+  need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
+  smallest(recipe, need);
+  if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
+  if (domain.width % need.multiple != 0 || domain.height % need.multiple != 0) return not_a_multiple;
+  if (domain.width < need.width || domain.height < need.height) return tile_too_small;
+  return ok;
+}
+
+constexpr evolve::Parts parts_of(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
+  evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    evolve::add_stage(parts, s, *s.model, *s.solver, domain, bands);
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
+    need.reach = cells > need.reach ? cells : need.reach;
+    need.sweeps += s.steps * reach.sweeps;
+  }
+  return parts;
+}
+
+// Three rows of the field with a halo of one, and the model's work rows.
+constexpr size_t paint_bytes(const Recipe& recipe, uint16_t width) {
+  return 3 * grid::scratch_bytes(grid::Cell::int16, width, 1) +
+         recipe.stage[0].model->work_rows * grid::row_bytes(grid::Cell::int16, width);
+}
+
+constexpr size_t kSlack = 3;  // to align the memory to four bytes
+
+constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, evolve::Parts& parts) {
+  Need need{};
+  need.status = check(recipe, domain, bands, need);
+  if (need.status != ok) return need;
+  parts = parts_of(recipe, domain, bands, need);
+  need.planes = parts.planes;
+  need.scratch = parts.scratch;
+  need.paint = paint_bytes(recipe, domain.width);
+  need.rest = parts.table + parts.bands + kSlack;
+  size_t total = 0;
+  const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
+                    base::add_bytes(total, 1, need.paint) && base::add_bytes(total, 1, need.rest);
+  if (fits) need.bytes = total;
+  else need.status = too_large;
+  return need;
+}
+
+}  // namespace api
+
+// What `recipe` needs on `domain`: constexpr where the recipe is.
+constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {
+  evolve::Parts parts{};
+  return api::need_of(recipe, domain, bands, parts);
+}
+constexpr Need need_for(const Preset& preset, const Domain& domain, uint8_t bands = 1) {
+  return need_for(preset.recipe, domain, bands);
+}
+
+// Bytes of memory begin asks for; 0 for what it refuses.
+constexpr size_t bytes_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {
+  return need_for(recipe, domain, bands).bytes;
+}
+constexpr size_t bytes_for(const Preset& preset, const Domain& domain, uint8_t bands = 1) {
+  return need_for(preset.recipe, domain, bands).bytes;
+}
+
+// One texture on its way. The struct and the memory are the whole state: copyable together, no destructor needed.
+class Texture {
+ public:
+  // Checks everything, then readies the texture; grows nothing yet. The recipe and the memory must outlive it. On an error
+  // the object is as it was; `need`, if given, says what was wanted.
+  Status begin(const Preset& preset, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
+               const Options& options = Options{}, Need* need = nullptr);
+  Status begin(const Recipe& recipe, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
+               const Options& options = Options{}, Need* need = nullptr);
+  Status begin(Recipe&& recipe, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
+               const Options& options = Options{}, Need* need = nullptr) = delete;  // would dangle
+
+  // Up to `rows` rows of work: more, or done. Whatever the slicing, the same bytes.
+  Status step(uint32_t rows);
+
+  // Everything that is left.
+  void finish() { while (step(UINT32_MAX) == more) {} }
+
+  // Progress: rows of work done and in all; steps done in all stages.
+  uint32_t rows_done() const { return run_.rows; }
+  uint64_t rows_in_all() const { return rows_in_all_; }
+  uint32_t steps_done() const { return run_.clock.step; }
+
+  // Row y of the field as it stands now: domain.width values; 1.0 of the recipe's range is unit().
+  void row(uint16_t y, int16_t* out);
+  int16_t unit() const { return run_.model.unit; }
+  // A cell is on where the field is above this.
+  int16_t cell_level() const { return run_.model.cell_level(run_.stage.number); }
+
+  // Row y as pixels, as it stands now: pixel_bytes(format, width) bytes.
+  void paint(uint16_t y, Pixels format, void* out);
+  void paint(uint16_t y, const Brush& brush, void* out);
+  // Instead of the recipe's paint; null: the recipe's again. It must outlive its use.
+  void repaint(const Paint* paint) { paint_ = paint; }
+
+  const Domain& domain() const { return run_.domain; }
+
+ private:
+  Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
+               size_t bytes, const Options& options, Need* need);
+  int16_t* field_row(uint16_t y, uint16_t centre);
+
+  evolve::Run run_;
+  const Recipe* recipe_;
+  const Paint* paint_;
+  uint8_t* field_;          // three rows with a halo of one
+  uint8_t* work_;
+  uint64_t rows_in_all_;
+  uint32_t held_rows_[3];   // which row a slot holds, as of rows_seen_
+  uint32_t rows_seen_;
+  bool rom_;
+};
+
+}  // namespace dapple

@@ -1,0 +1,107 @@
+// A texture on its way: start, stages, sweeps, rows. Plain state that can stop after any row and go on later.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../start/start.hpp"
+#include "sweep.hpp"
+
+namespace dapple {
+
+// What happens when a stage begins.
+enum class Entry : uint8_t {
+  start,   // the recipe's start fills the planes (first stage only)
+  carry,   // the planes go on as they are, on the same grid
+  refine,  // from a grid coarser by 2: bilinear at cell centres
+};
+
+constexpr uint8_t kMaxStages = 4;
+constexpr uint8_t kMaxLevel = 3;
+constexpr uint8_t kMaxBands = 64;
+
+// A model, its numbers, the grid (finest size / 2^level) and how long.
+struct Stage {
+  const Model* model;
+  const evolve::Solver* solver;
+  uint32_t steps;
+  uint8_t level;
+  Entry entry;
+  int32_t number[kMaxNumbers];
+};
+
+}  // namespace dapple
+
+namespace dapple::evolve {
+
+// The stages of a recipe, in read-only memory (rom) or not.
+struct Plan {
+  const Start* start;
+  const Stage* stage;
+  uint8_t stages;
+  bool rom;
+};
+
+enum class Phase : uint8_t { starting, refining, sweeping, done };
+
+struct Run {
+  Plan plan;
+  Stage stage;      // the current one, loaded
+  Model model;
+  Solver solver;
+  const grid::KernelSwap* kernels;
+  Domain domain;
+  Field field;      // of the current level
+  Band* band;
+  int32_t* table;
+  uint32_t seed;
+  uint32_t step;    // done in this stage
+  uint32_t rows;    // of work done in all, for progress
+  Clock clock;      // clock.step counts over the stages that continue each other
+  Cursor cursor;
+  Sweep sweep;
+  Phase phase;
+  uint8_t index;    // of the stage
+  uint8_t at_band, at_plane;
+  uint16_t at_row;
+};
+
+// Memory by part, bytes. fits is false when a part does not fit size_t.
+struct Parts {
+  size_t planes, scratch, table, bands;
+  bool fits;
+};
+
+constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
+
+// Adds what a stage needs to the parts.
+constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Domain& d, uint8_t bands) {
+  const uint16_t width = at_level(d.width, stage.level);
+  const Reach reach = solver.reach(model, stage.number, stage.level);
+  size_t band = 0, planes = 0, scratch = 0;
+  parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
+  if (stage.entry == Entry::refine) {
+    const size_t ring = 4 * model.planes(stage.number) * grid::scratch_bytes(model.cell, static_cast<uint16_t>(width / 2), 1);
+    band = ring > band ? ring : band;
+  }
+  parts.fits = parts.fits && base::add_bytes(scratch, bands, band) &&
+               base::add_bytes(planes, d.height, grid::row_bytes(model.cell, d.width));
+  size_t all = 0;
+  parts.fits = parts.fits && base::add_bytes(all, model.planes(stage.number), planes);
+  parts.planes = all > parts.planes ? all : parts.planes;
+  parts.scratch = scratch > parts.scratch ? scratch : parts.scratch;
+  const size_t table = sizeof(int32_t) * reach.table;
+  parts.table = table > parts.table ? table : parts.table;
+}
+
+// memory: parts.planes + scratch + table + bands bytes, aligned to 4. All arguments have been checked.
+void begin(Run& run, const Plan& plan, const Domain& domain, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
+           const Parts& parts, uint8_t* memory);
+
+// At most `rows` rows of work; false when nothing is left to do.
+bool advance(Run& run, uint32_t rows);
+
+// Rows of work from begin to done, for progress and budgets.
+uint64_t work_rows(const Plan& plan, const Domain& domain);
+
+// The field of row y of the finest grid, as it stands. out: domain.width values; work: model.work_rows int16 rows.
+void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work);
+
+}  // namespace dapple::evolve

@@ -1,0 +1,122 @@
+// How a model's time step becomes sweeps over its planes. A solver joins a model with stencils; the sweep machinery
+// (sweep.hpp) knows neither.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../model/model.hpp"
+#include "../stencil/lattice.hpp"
+
+namespace dapple::evolve {
+
+// One sweep: a row kernel over every row of the grid. With radius r and stride S the kernel for row y reads, of each of
+// its planes, the old rows y - r S ... y + r S (mod height) with halos; with r = 0 it works on the plane's row in place.
+struct Sweep {
+  grid::RowKernel row;
+  grid::RowKernel part[2];  // handed to the kernel
+  uint8_t first, count;     // planes
+  uint8_t radius;
+  uint16_t stride;
+  uint16_t halo;            // cells
+  int32_t p[kMaxValues];    // handed to the kernel
+};
+
+// Where a solver is within one time step. Plain state: it can be copied and resumed.
+struct Cursor {
+  uint16_t sweep;             // sweeps handed out so far
+  uint8_t plane, direction;   // gaussian: what comes next
+  stencil::PassSeries series;
+  stencil::Lattice lattice;
+  int32_t p[kMaxValues];      // the model's values for this step
+};
+
+// What a solver is asked about: a model with its numbers on a grid coarser by 2^level.
+struct Context {
+  const Model* model;
+  const int32_t* number;
+  const grid::KernelSwap* kernels;
+  int32_t* table;  // Reach::table numbers, kept while the stage lasts
+  Clock clock;
+  uint8_t level;
+};
+
+// What a solver needs of the scratch memory.
+struct Reach {
+  uint8_t planes, radius;  // of the widest window
+  uint16_t halo;
+  uint8_t rows16, rows32;  // work rows without halo
+  uint8_t halo_rows;       // int16 work rows with halo
+  uint16_t sweeps;         // per step, for information
+  uint16_t stride;         // the largest distance of two rows or cells that meet in one sweep
+  uint8_t table;           // int32 numbers a solver keeps for its kernels (Rows::table)
+};
+
+struct Solver {
+  Reach (*reach)(const Model& model, const int32_t* number, uint8_t level);
+  // Fills `sweep` with the next sweep of this step; false when the step is complete. cursor.sweep == 0 begins a step.
+  bool (*next)(const Context& context, Cursor& cursor, Sweep& sweep);
+};
+
+constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
+
+// --- gaussian: impulse splitting, eq. (12). One reaction, then the Gaussian of a whole macro step on every plane. ---
+constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level) {
+  Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0};
+  for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
+    const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));
+    for (uint8_t i = 0; i < lattice.count; ++i) {
+      const stencil::Direction& d = lattice.direction[i];
+      const uint16_t stride = stencil::reach_of(d.share);
+      const uint16_t across = static_cast<uint16_t>(stride * (d.vx < 0 ? -d.vx : d.vx));
+      reach.halo = wider(reach.halo, across);
+      reach.stride = wider(reach.stride, wider(across, static_cast<uint16_t>(stride * d.vy)));
+      if (d.vy == 0) {
+        reach.halo_rows = 2;
+        ++reach.sweeps;
+      } else {
+        reach.radius = 1;
+        stencil::PassSeries series = stencil::series_of(d.share, 0);
+        stencil::Pass pass{};
+        while (stencil::next_pass(series, pass)) ++reach.sweeps;
+      }
+    }
+  }
+  return reach;
+}
+bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep);
+inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next};
+
+// --- euler: the explicit step of eq. (5), all planes in one sweep; sub-steps per macro step as stability asks. -------
+// b dt = 1/2 is divided by m so that dt (4 tr A + b) <= 1.7, beyond which the threshold feeds the checkerboard.
+constexpr uint16_t euler_steps(const Model& model, const int32_t* number, uint8_t level) {
+  int64_t trace = 0;  // Q16 variance of a macro step = A
+  for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
+    const grid::Tensor t = grid::at_level(model.tensor(number, plane), level);
+    const int64_t sum = static_cast<int64_t>(t.xx) + t.yy;
+    trace = sum > trace ? sum : trace;
+  }
+  const int64_t need = 5 * (4 * trace + 65536);  // m >= (4 tr A + 1) / 2 / 1.7
+  return static_cast<uint16_t>((need + 17 * 65536 - 1) / (INT64_C(17) * 65536));
+}
+constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t level) {
+  const uint8_t planes = model.planes(number);
+  return {planes, 1, 1, model.work_rows, planes, 0, euler_steps(model, number, level), 1,
+          static_cast<uint8_t>(3 * planes)};
+}
+bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep);
+inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next};
+
+// --- kinetic: one explicit step of dt = 1 with the five-point stencil in int16. -------------------------------------
+constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t) {
+  const uint8_t planes = model.planes(number);
+  return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint8_t>(3 * planes)};
+}
+bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
+inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next};
+
+// --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------
+constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t) {
+  return {model.planes(number), model.radius, model.radius, model.work_rows, 0, 0, 1, model.radius, 0};
+}
+bool direct_next(const Context& context, Cursor& cursor, Sweep& sweep);
+inline constexpr Solver direct DAPPLE_ROM = {direct_reach, direct_next};
+
+}  // namespace dapple::evolve

@@ -1,0 +1,170 @@
+// Sweeps in coset order. See sweep.hpp for the picture.
+// SPDX-License-Identifier: MIT
+#include "sweep.hpp"
+
+namespace dapple::evolve {
+
+// The windows of a band: per plane 2 r + 1 ring rows, r first rows, then (several bands) r rows before and r after the
+// band's first part of a coset (head), and the same for its last part (tail).
+struct Windows {
+  uint8_t* base;
+  size_t row, plane;  // bytes from row to row, from plane to plane
+  uint8_t radius;
+};
+
+static Windows windows_of(const Field& field, const Sweep& sweep, uint8_t index) {
+  const size_t before = grid::halo_bytes(field.cell, sweep.halo);
+  const size_t row = grid::scratch_bytes(field.cell, field.width, sweep.halo);
+  return {field.scratch + index * field.band_bytes + before, row,
+          row * window_rows(sweep.radius, field.bands), sweep.radius};
+}
+
+static uint8_t* slot_of(const Windows& w, uint8_t plane, uint16_t slot) { return w.base + plane * w.plane + slot * w.row; }
+static uint16_t first_slot(uint8_t radius) { return static_cast<uint16_t>(2 * radius + 1); }
+static uint16_t head_slot(uint8_t radius) { return static_cast<uint16_t>(3 * radius + 1); }
+static uint16_t tail_slot(uint8_t radius) { return static_cast<uint16_t>(5 * radius + 1); }
+
+struct Order {
+  uint16_t stride, cosets, length;
+};
+static Order order_of(const Field& field, const Sweep& sweep) {
+  if (sweep.radius == 0) return {1, 1, field.height};
+  const uint16_t stride = static_cast<uint16_t>(sweep.stride % field.height);
+  const uint16_t cosets = base::gcd(stride, field.height);
+  return {stride, cosets, static_cast<uint16_t>(field.height / cosets)};
+}
+
+// Row of position index in a coset, index taken modulo the coset's length.
+static uint16_t row_at(const Order& order, uint16_t height, uint16_t coset, int32_t index) {
+  int32_t i = index % order.length;
+  if (i < 0) i += order.length;
+  return static_cast<uint16_t>((coset + static_cast<uint32_t>(i) * order.stride) % height);
+}
+
+static void save(const Field& field, const Sweep& sweep, const Windows& w, uint16_t slot, uint16_t y) {
+  for (uint8_t i = 0; i < sweep.count; ++i)
+    grid::copy_row(field.cell, slot_of(w, i, slot), row_of(field, static_cast<uint8_t>(sweep.first + i), y), field.width, sweep.halo);
+}
+
+static void copy_slots(const Field& field, const Sweep& sweep, const Windows& w, uint16_t to, uint16_t from) {
+  const size_t before = grid::halo_bytes(field.cell, sweep.halo);
+  for (uint8_t i = 0; i < sweep.count; ++i)
+    grid::copy_bytes(slot_of(w, i, to) - before, slot_of(w, i, from) - before, w.row);
+}
+
+// Saves the r rows before `from` and the r rows from `stop` on, for a band that holds only a part of a coset.
+static void save_edges(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, uint16_t slot,
+                       uint16_t coset, uint16_t from, uint16_t stop) {
+  for (uint8_t k = 0; k < sweep.radius; ++k) {
+    save(field, sweep, w, static_cast<uint16_t>(slot + k), row_at(order, field.height, coset, static_cast<int32_t>(from) - sweep.radius + k));
+    save(field, sweep, w, static_cast<uint16_t>(slot + sweep.radius + k), row_at(order, field.height, coset, static_cast<int32_t>(stop) + k));
+  }
+}
+
+void begin_sweep(const Field& field, const Sweep& sweep, Band* bands) {
+  const Order order = order_of(field, sweep);
+  for (uint8_t b = 0; b < field.bands; ++b) {
+    Band& band = bands[b];
+    band.next = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * b / field.bands);
+    band.end = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * (b + 1) / field.bands);
+    band.coset = static_cast<uint16_t>(band.next / order.length);
+    band.index = static_cast<uint16_t>(band.next % order.length);
+    band.y = row_at(order, field.height, band.coset, band.index);
+    band.open = false;
+    if (field.bands == 1 || sweep.radius == 0 || band.next == band.end) continue;
+    const Windows w = windows_of(field, sweep, b);
+    const uint16_t last = static_cast<uint16_t>((band.end - 1) / order.length);
+    const uint16_t stop = static_cast<uint16_t>((band.end - 1) % order.length + 1);
+    save_edges(field, sweep, w, order, head_slot(sweep.radius), band.coset, band.index, last == band.coset ? stop : order.length);
+    save_edges(field, sweep, w, order, tail_slot(sweep.radius), last, last == band.coset ? band.index : 0, stop);
+  }
+}
+
+// Fills the ring with the rows before and at the start of a coset part, and readies the rows after its end.
+static void open_coset(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, uint16_t start, Band& band) {
+  const uint32_t left = static_cast<uint32_t>(band.end) - band.next;
+  const uint32_t whole = static_cast<uint32_t>(order.length) - band.index;
+  band.stop = static_cast<uint16_t>(band.index + (left < whole ? left : whole));
+  const uint8_t r = sweep.radius;
+  const bool part = band.index != 0 || band.stop != order.length;
+  const uint16_t edges = band.next == start ? head_slot(r) : tail_slot(r);
+  for (uint16_t k = 0; k < 2 * r; ++k) {
+    const int32_t at = static_cast<int32_t>(band.index) - r + k;
+    if (part && k < r)
+      copy_slots(field, sweep, w, k, static_cast<uint16_t>(edges + k));
+    else if (part && at >= band.stop)
+      copy_slots(field, sweep, w, k, static_cast<uint16_t>(edges + r + at - band.stop));
+    else
+      save(field, sweep, w, k, row_at(order, field.height, band.coset, at));
+  }
+  for (uint16_t k = 0; k < r; ++k) {
+    const uint16_t to = static_cast<uint16_t>(first_slot(r) + k);
+    if (part)
+      copy_slots(field, sweep, w, to, static_cast<uint16_t>(edges + r + k));
+    else
+      save(field, sweep, w, to, row_at(order, field.height, band.coset, static_cast<int32_t>(k)));
+  }
+  band.slot = 0;
+  band.open = true;
+}
+
+// Moves the ring on by one row: the row r places ahead comes from its plane, or from the saved rows past the end.
+static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, const Band& band) {
+  const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
+  const uint16_t to = static_cast<uint16_t>((band.slot + 2 * sweep.radius) % ring);
+  const uint32_t ahead = static_cast<uint32_t>(band.index) + sweep.radius;
+  if (ahead >= band.stop) return copy_slots(field, sweep, w, to, static_cast<uint16_t>(first_slot(sweep.radius) + ahead - band.stop));
+  uint32_t y = band.y + static_cast<uint32_t>(sweep.radius) * order.stride;
+  while (y >= field.height) y -= field.height;
+  save(field, sweep, w, to, static_cast<uint16_t>(y));
+}
+
+static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, grid::Rows& rows) {
+  const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
+  for (uint8_t i = 0; i < sweep.count; ++i) {
+    rows.out[i] = row_of(field, static_cast<uint8_t>(sweep.first + i), band.y);
+    if (sweep.radius == 0) continue;
+    uint8_t slot = band.slot;
+    for (uint8_t k = 0; k < ring; ++k) {
+      rows.in[i * ring + k] = slot_of(w, i, slot);
+      slot = static_cast<uint8_t>(slot + 1 == ring ? 0 : slot + 1);
+    }
+  }
+}
+
+uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, uint8_t index, Band& band, uint32_t rows) {
+  const Order order = order_of(field, sweep);
+  const Windows w = windows_of(field, sweep, index);
+  const uint16_t start = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * index / field.bands);
+  const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
+  grid::Rows call;
+  call.p = sweep.p;
+  call.table = table;
+  call.part = sweep.part;
+  call.n = field.width;
+  call.planes = sweep.count;
+  call.scratch = field.scratch + index * field.band_bytes + (sweep.radius == 0 ? 0 : w.plane * sweep.count);
+  uint32_t done = 0;
+  for (; done < rows && band.next < band.end; ++done) {
+    if (sweep.radius > 0) {
+      if (!band.open) open_coset(field, sweep, w, order, start, band);
+      load_ahead(field, sweep, w, order, band);
+    }
+    set_rows(field, sweep, w, band, call);
+    sweep.row(call);
+    ++band.next;
+    ++band.index;
+    if (sweep.radius > 0) band.slot = static_cast<uint8_t>(band.slot + 1 == ring ? 0 : band.slot + 1);
+    uint32_t y = static_cast<uint32_t>(band.y) + order.stride;
+    if (y >= field.height) y -= field.height;
+    if (band.index == order.length) {
+      band.index = 0;
+      y = ++band.coset;
+      band.open = false;
+    }
+    band.y = static_cast<uint16_t>(y);
+  }
+  return done;
+}
+
+}  // namespace dapple::evolve

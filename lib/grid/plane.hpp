@@ -1,0 +1,29 @@
+// What a model says of one plane: how its concentrations diffuse and what it holds at the start.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "rows.hpp"
+
+namespace dapple::grid {
+
+constexpr int32_t kOneVariance = 65536;  // variances are Q16, in cells^2
+
+// Diffusion of one plane as the variance matrix of its Gaussian over one step, Q16: symmetric, positive; x to the
+// right, y downwards. A Laplacian with coefficient D over a time dt has xx = yy = 2 D dt.
+struct Tensor {
+  int32_t xx, xy, yy;
+};
+
+// The same tensor on a grid coarser by 2^level.
+constexpr Tensor at_level(const Tensor& t, uint8_t level) {
+  const int32_t square = INT32_C(1) << (2 * level);
+  return {static_cast<int32_t>(base::divide_round(t.xx, square)), static_cast<int32_t>(base::divide_round(t.xy, square)),
+          static_cast<int32_t>(base::divide_round(t.yy, square))};
+}
+
+// Values of the start, in the model's own format.
+struct Levels {
+  int32_t background, disc;  // seeds: outside and inside the discs (at full amplitude)
+  int32_t low, high;         // noise: uniform over low..high
+};
+
+}  // namespace dapple::grid

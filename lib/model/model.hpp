@@ -1,0 +1,73 @@
+// What a model tells the machinery: its cells, its planes, its numbers, its row kernels. A model knows no neighbours
+// (those are the stencils' business) and no grid.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../grid/plane.hpp"
+
+namespace dapple {
+
+constexpr uint8_t kMaxNumbers = 20;  // slots of one stage
+constexpr uint8_t kMaxValues = 8;    // numbers a kernel is called with
+
+// When a step happens: `step` of `steps`, the whole run of the stages that continue each other.
+struct Clock {
+  uint32_t step, steps;
+};
+
+// A model. `number` is always the stage's slots, see Number. Unused kernels are null.
+struct Model {
+  grid::Cell cell;
+  uint8_t radius;                 // of `window`, rows and cells
+  int16_t unit;                   // what the recipe's 1.0 is in the field
+  uint8_t work_rows;              // int16 rows of scratch that the kernels use
+  bool (*in_range)(const int32_t* number);                        // every number within its range
+  uint8_t (*planes)(const int32_t* number);
+  grid::Tensor (*tensor)(const int32_t* number, uint8_t plane);   // per step, finest grid
+  grid::Levels (*levels)(const int32_t* number, uint8_t plane);
+  int32_t (*wavelength)(const int32_t* number);                   // cells, 1/kMicro
+  int16_t (*cell_level)(const int32_t* number);                   // a cell is "on" where the field is above this
+  void (*values)(const int32_t* number, Clock clock, int32_t* p); // the kernels' p for this step
+  grid::RowKernel impulse;        // one macro step of reaction and decay; in place: out[plane]; scratch: work rows
+  grid::RowKernel react;          // Euler: in[plane] sums of the stencil; in place: out[plane]; scratch: work rows
+  grid::RowKernel window;         // a whole step: in[plane * (2 radius + 1) + k] rows y - radius + k; out[plane]
+  grid::RowKernel field;          // in[plane] rows; out[0] the int16 field that paint reads
+};
+
+// One number of a recipe, for text, ranges and user interfaces. Values are in 1/kMicro, but for integer and word.
+struct Number {
+  enum Kind : uint8_t {
+    decimal,   // one slot
+    integer,   // one slot
+    word,      // one slot: index into `words`, separated by '|'
+    schedule,  // four slots: from value, to value, begin, end. text: A, or A:B@BEGIN..END (ramp), or A:B@BEGIN (step)
+    angles,    // five slots: degrees, one per pair
+  } kind;
+  const char* name;
+  int32_t low, high, standard;
+  const char* words;  // of Kind::word
+  const char* unit;   // and what it means
+};
+
+constexpr uint8_t slots_of(Number::Kind kind) {
+  return kind == Number::schedule ? 4 : kind == Number::angles ? 5 : 1;
+}
+
+constexpr bool within(int32_t value, int32_t low, int32_t high) { return value >= low && value <= high; }
+
+// The four slots of a schedule: both values in range, begin and end ordered fractions.
+constexpr bool schedule_within(const int32_t* slot, int32_t low, int32_t high) {
+  return within(slot[0], low, high) && within(slot[1], low, high) && within(slot[2], 0, slot[3]) &&
+         within(slot[3], 0, base::kMicro);
+}
+
+// The value of a schedule at a step, 1/kMicro: the first value until `begin`, linear to the second at `end`, then
+// that. Fractions are step / steps; a step change has begin == end.
+constexpr int32_t scheduled(const int32_t* slot, Clock clock) {
+  const int64_t at = static_cast<int64_t>(clock.step) * base::kMicro;
+  const int64_t begin = static_cast<int64_t>(slot[2]) * clock.steps, end = static_cast<int64_t>(slot[3]) * clock.steps;
+  if (at < begin) return slot[0];
+  if (at >= end) return slot[1];
+  return slot[0] + static_cast<int32_t>(base::divide_round((static_cast<int64_t>(slot[1]) - slot[0]) * (at - begin), end - begin));
+}
+
+}  // namespace dapple

@@ -1,0 +1,51 @@
+// A recipe: start, stages, paint. And the families it can be made of; adding a model adds one line to `families`.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../evolve/run.hpp"
+#include "../model/gray_scott.hpp"
+#include "../model/threshold.hpp"
+#include "../paint/paint.hpp"
+
+namespace dapple {
+
+struct Recipe {
+  Start start;
+  Paint paint;
+  uint8_t stages;
+  Stage stage[kMaxStages];
+};
+
+// A recipe that lives in read-only memory (flash on AVR).
+struct Preset {
+  Recipe recipe;
+};
+
+}  // namespace dapple
+
+namespace dapple::recipe {
+
+// A model as text knows it: names, numbers, solvers (the first is the default), start and numbers of paint to begin with.
+struct Family {
+  const char* name;
+  const Model* model;
+  const Number* numbers;
+  uint8_t number_count;
+  const char* solver_names;  // separated by '|'
+  const evolve::Solver* solvers[2];
+  uint32_t steps;
+  Start start;
+  int32_t low, high;
+};
+
+template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
+
+inline constexpr Family families[] = {
+    {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
+     {&evolve::gaussian, &evolve::euler}, 32,
+     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000}, -50000, 50000},
+    {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
+     {&evolve::kinetic, nullptr}, 5000,
+     {Start::seeds, 40000000, 600000, 350000, 6000000, 1000000}, 0, 350000},
+};
+
+}  // namespace dapple::recipe

@@ -1,0 +1,372 @@
+// Recipe text: one line, a model and its numbers; constexpr, because presets are such lines.
+//
+//   recipe = model { key=value } { "then" ("carry" | "refine") { key=value } }
+//
+// Keys: the model's numbers; steps, level, solver of the stage; levels, fine (a whole coarse-to-fine run); wavelength
+// (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; ramp, range=LOW,HIGH, light,
+// gloss, grain. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ramps.hpp"
+#include "recipe.hpp"
+
+namespace dapple {
+
+// Where and why text was refused. `word` points into the text.
+struct Trouble {
+  Status status;
+  uint16_t column;         // 1-based
+  recipe::Word word;
+  int32_t low, high;       // of out_of_range, in 1/kMicro, or plain for whole numbers
+  bool whole;
+  const char* allowed;     // of unknown_word: words separated by '|', or null
+};
+
+}  // namespace dapple
+
+namespace dapple::recipe {
+
+// Text being read into a recipe.
+struct Reader {
+  Recipe* recipe;
+  const Family* family;
+  const char* origin;  // for columns
+  Trouble trouble;
+  uint8_t stage;       // the one being written; numbers go to it and all later ones
+  int32_t wavelength;  // 0: not given
+  uint32_t levels, fine;
+  bool angle_given, angles_given, pairs_given, pitch_given, radius_given, steps_given;
+  int32_t first_angle, scale;  // before
+};
+
+constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {
+  r.trouble = {status, static_cast<uint16_t>(word.text - r.origin + 1), word, low, high, whole, allowed};
+  return false;
+}
+
+constexpr bool decimal_in(Reader& r, Word text, int32_t low, int32_t high, int32_t& value) {
+  int32_t read = 0;
+  if (!read_decimal(text, read)) return fail(r, broken_text, text);
+  if (read < low || read > high) return fail(r, out_of_range, text, low, high);
+  value = read;
+  return true;
+}
+
+constexpr bool integer_in(Reader& r, Word text, uint32_t low, uint32_t high, uint32_t& value) {
+  uint32_t read = 0;
+  if (!read_integer(text, read)) return fail(r, broken_text, text);
+  if (read < low || read > high) return fail(r, out_of_range, text, static_cast<int32_t>(low), static_cast<int32_t>(high), true);
+  value = read;
+  return true;
+}
+
+constexpr bool word_in(Reader& r, Word text, const char* words, int32_t& value) {
+  const int16_t index = index_of(text, words);
+  if (index < 0) return fail(r, unknown_word, text, 0, 0, false, words);
+  value = index;
+  return true;
+}
+
+// A | A:B@F | A:B@F..G
+constexpr bool schedule_in(Reader& r, Word text, const Number& n, int32_t* slot) {
+  Word rest = text;
+  const Word from = take(rest, ':');
+  if (!decimal_in(r, from, n.low, n.high, slot[0])) return false;
+  slot[1] = slot[0];
+  slot[2] = slot[3] = 0;
+  if (from.length == text.length) return true;
+  if (!decimal_in(r, take(rest, '@'), n.low, n.high, slot[1])) return false;
+  uint16_t dots = 0;
+  while (dots + 1 < rest.length && !(rest.text[dots] == '.' && rest.text[dots + 1] == '.')) ++dots;
+  const bool ramp = dots + 1 < rest.length;
+  const Word begin = ramp ? part(rest, 0, dots) : rest;
+  const Word end = ramp ? part(rest, static_cast<uint16_t>(dots + 2), rest.length) : rest;
+  return decimal_in(r, begin, 0, base::kMicro, slot[2]) && decimal_in(r, end, slot[2], base::kMicro, slot[3]);
+}
+
+constexpr bool angles_in(Reader& r, Word text, const Number& n, int32_t* slot) {
+  uint8_t count = 0;
+  for (Word rest = text; rest.length > 0 || count == 0; ++count) {
+    if (count == 5) return fail(r, broken_text, text);
+    if (!decimal_in(r, take(rest, ','), n.low, n.high, slot[count])) return false;
+  }
+  r.angle_given = true;
+  r.angles_given = count > 1;
+  return true;
+}
+
+constexpr bool number_in(Reader& r, Word text, const Number& n, int32_t* slot) {
+  uint32_t whole = 0;
+  switch (n.kind) {
+    case Number::decimal: return decimal_in(r, text, n.low, n.high, *slot);
+    case Number::integer:
+      if (!integer_in(r, text, static_cast<uint32_t>(n.low), static_cast<uint32_t>(n.high), whole)) return false;
+      *slot = static_cast<int32_t>(whole);
+      r.pairs_given = true;
+      return true;
+    case Number::word: return word_in(r, text, n.words, *slot);
+    case Number::schedule: return schedule_in(r, text, n, slot);
+    case Number::angles: return angles_in(r, text, n, slot);
+  }
+  return false;
+}
+
+// Slot of the family's number of that name, or -1.
+constexpr int8_t slot_named(const Family& f, const char* name) {
+  uint8_t slot = 0;
+  for (uint8_t i = 0; i < f.number_count; ++i) {
+    if (equal(word_of(name), f.numbers[i].name)) return static_cast<int8_t>(slot);
+    slot = static_cast<uint8_t>(slot + slots_of(f.numbers[i].kind));
+  }
+  return -1;
+}
+
+constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
+  uint8_t slot = 0;
+  for (uint8_t i = 0; i < r.family->number_count; ++i) {
+    const Number& n = r.family->numbers[i];
+    const bool named = equal(key, n.name) || (n.kind == Number::angles && equal(key, "angles"));
+    if (named) {
+      found = true;
+      for (uint8_t s = r.stage; s < r.recipe->stages; ++s)
+        if (!number_in(r, value, n, r.recipe->stage[s].number + slot)) return false;
+      return true;
+    }
+    slot = static_cast<uint8_t>(slot + slots_of(n.kind));
+  }
+  return true;
+}
+
+// Total steps of the recipe: what `steps=` of an override means, whatever levels it runs on.
+constexpr uint32_t total_steps(const Recipe& r) {
+  uint32_t sum = 0;
+  for (uint8_t i = 0; i < r.stages; ++i) sum += r.stage[i].steps;
+  return sum;
+}
+
+constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
+  Stage& stage = r.recipe->stage[r.stage];
+  uint32_t whole = 0;
+  int32_t index = 0;
+  found = true;
+  if (equal(key, "steps")) {
+    if (!integer_in(r, value, 0, 1000000, whole)) return false;
+    const uint32_t later = total_steps(*r.recipe) - stage.steps;  // stages of an overridden recipe keep theirs
+    if (r.stage + 1 < r.recipe->stages && whole < later) return fail(r, out_of_range, value, static_cast<int32_t>(later), 1000000, true);
+    stage.steps = r.stage + 1 < r.recipe->stages ? whole - later : whole;
+    return true;
+  }
+  if (equal(key, "level")) {
+    if (!integer_in(r, value, 0, kMaxLevel, whole)) return false;
+    stage.level = static_cast<uint8_t>(whole);
+    return true;
+  }
+  if (equal(key, "solver")) {
+    if (!word_in(r, value, r.family->solver_names, index)) return false;
+    for (uint8_t s = r.stage; s < r.recipe->stages; ++s) r.recipe->stage[s].solver = r.family->solvers[index];
+    return true;
+  }
+  if (equal(key, "levels")) return integer_in(r, value, 1, kMaxLevel + 1, r.levels);
+  if (equal(key, "fine")) return integer_in(r, value, 1, 100000, r.fine);
+  if (equal(key, "wavelength")) return decimal_in(r, value, base::kMicro, 500 * base::kMicro, r.wavelength);
+  found = false;
+  return true;
+}
+
+constexpr bool start_key(Reader& r, Word key, Word value, bool& found) {
+  Start& s = r.recipe->start;
+  int32_t index = 0;
+  found = true;
+  if (equal(key, "start")) {
+    if (!word_in(r, value, "noise|seeds", index)) return false;
+    s.kind = static_cast<Start::Kind>(index);
+    return true;
+  }
+  if (equal(key, "pitch")) return (r.pitch_given = true) && decimal_in(r, value, 4 * base::kMicro, 1000 * base::kMicro, s.pitch);
+  if (equal(key, "radius")) return (r.radius_given = true) && decimal_in(r, value, 500000, 200 * base::kMicro, s.radius);
+  if (equal(key, "aspect")) return decimal_in(r, value, 200000, 5 * base::kMicro, s.aspect);
+  if (equal(key, "jitter")) return decimal_in(r, value, 0, base::kMicro, s.jitter);
+  if (equal(key, "amplitude")) return decimal_in(r, value, 10000, base::kMicro, s.amplitude);
+  found = false;
+  return true;
+}
+
+constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
+  Paint& p = r.recipe->paint;
+  found = true;
+  if (equal(key, "ramp")) return read_ramp(value, p.ramp) || fail(r, unknown_word, value, 0, 0, false, "a ramp's name|stops like 000000,ff8000,ffffff or 0:000000,255:ffffff");
+  if (equal(key, "range")) {
+    Word rest = value;
+    return decimal_in(r, take(rest, ','), -2 * base::kMicro, 2 * base::kMicro, p.low) &&
+           decimal_in(r, rest, p.low + 1, 2 * base::kMicro, p.high);
+  }
+  if (equal(key, "light")) return decimal_in(r, value, 0, 100 * base::kMicro, p.light);
+  if (equal(key, "gloss")) return decimal_in(r, value, 0, base::kMicro, p.gloss);
+  if (equal(key, "grain")) return decimal_in(r, value, 0, base::kMicro, p.grain);
+  found = false;
+  return true;
+}
+
+constexpr bool key_value(Reader& r, Word word) {
+  const uint16_t at = find(word, '=');
+  if (at == word.length) return fail(r, broken_text, word);
+  const Word key = part(word, 0, at), value = part(word, static_cast<uint16_t>(at + 1), word.length);
+  bool found = false;
+  if (!model_key(r, key, value, found) || found) return found && r.trouble.status == ok;
+  if (!stage_key(r, key, value, found) || found) return r.trouble.status == ok;
+  if (!start_key(r, key, value, found) || found) return r.trouble.status == ok;
+  if (!paint_key(r, key, value, found) || found) return r.trouble.status == ok;
+  return fail(r, unknown_word, key, 0, 0, false, r.family->name);
+}
+
+constexpr bool then_stage(Reader& r, Word word) {
+  int32_t entry = 0;
+  if (!word_in(r, word, "carry|refine", entry)) return false;
+  if (r.recipe->stages == kMaxStages) return fail(r, not_possible, word);
+  const Stage& before = r.recipe->stage[r.recipe->stages - 1];
+  r.stage = r.recipe->stages++;
+  Stage& stage = r.recipe->stage[r.stage];
+  stage = before;
+  stage.entry = entry == 0 ? Entry::carry : Entry::refine;
+  if (entry == 0) return true;
+  if (before.level == 0) return fail(r, not_possible, word);
+  --stage.level;
+  return true;
+}
+
+// levels=L fine=F: the run's steps, all but F on each finer grid, on the coarsest.
+constexpr bool spread_levels(Reader& r, Word all) {
+  if (r.levels == 0) return r.fine == 0 || fail(r, not_possible, all);
+  Recipe& recipe = *r.recipe;
+  const uint32_t total = total_steps(recipe), fine = r.fine == 0 ? 6 : r.fine;
+  if (total <= fine * (r.levels - 1)) return fail(r, not_possible, all);
+  recipe.stages = static_cast<uint8_t>(r.levels);
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    recipe.stage[i] = recipe.stage[0];
+    recipe.stage[i].level = static_cast<uint8_t>(recipe.stages - 1 - i);
+    recipe.stage[i].entry = i == 0 ? Entry::start : Entry::refine;
+    recipe.stage[i].steps = fine;
+  }
+  recipe.stage[0].steps = total - fine * (r.levels - 1);
+  return true;
+}
+
+constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
+  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
+}
+
+// Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
+constexpr bool settle(Reader& r, Word all) {
+  const int8_t scale = slot_named(*r.family, "scale"), angle = slot_named(*r.family, "angle");
+  for (uint8_t i = 0; i < r.recipe->stages; ++i) {
+    int32_t* number = r.recipe->stage[i].number;
+    if (r.wavelength != 0 && scale >= 0) {
+      number[scale] = base::kMicro;
+      const int32_t one = r.family->model->wavelength(number);
+      const Number& n = r.family->numbers[scale];
+      for (uint8_t k = 0; k < r.family->number_count; ++k) {
+        const Number& range = r.family->numbers[k];
+        if (!equal(word_of(range.name), "scale")) continue;
+        number[scale] = times(r.wavelength, base::kMicro, one);
+        if (number[scale] < range.low || number[scale] > range.high)
+          return fail(r, out_of_range, all, times(range.low, one, base::kMicro), times(range.high, one, base::kMicro));
+      }
+      (void)n;
+    }
+    if (angle < 0) continue;
+    const int32_t pairs = number[0];
+    const int32_t first = number[angle];
+    for (uint8_t j = 1; j < 5 && !r.angles_given; ++j) {
+      if (r.pairs_given)
+        number[angle + j] = j < pairs ? first + j * (180 * base::kMicro / pairs) : 0;
+      else if (r.angle_given)
+        number[angle + j] += j < pairs ? first - r.first_angle : 0;
+    }
+  }
+  if (scale >= 0) {
+    const int32_t now = r.recipe->stage[0].number[scale];
+    Start& s = r.recipe->start;
+    if (!r.pitch_given) s.pitch = times(s.pitch, now, r.scale);
+    if (!r.radius_given) s.radius = times(s.radius, now, r.scale);
+  }
+  return spread_levels(r, all);
+}
+
+constexpr void defaults(Recipe& recipe, const Family& f) {
+  recipe = Recipe{};
+  recipe.start = f.start;
+  read_stops(word_of(ramps[0].stops), recipe.paint.ramp);
+  recipe.paint.low = f.low;
+  recipe.paint.high = f.high;
+  recipe.stages = 1;
+  Stage& stage = recipe.stage[0];
+  stage.model = f.model;
+  stage.solver = f.solvers[0];
+  stage.steps = f.steps;
+  uint8_t slot = 0;
+  for (uint8_t i = 0; i < f.number_count; ++i) {
+    const Number& n = f.numbers[i];
+    stage.number[slot] = n.standard;
+    if (n.kind == Number::schedule) stage.number[slot + 1] = n.standard;
+    slot = static_cast<uint8_t>(slot + slots_of(n.kind));
+  }
+}
+
+constexpr const Family* family_named(Word name) {
+  for (const Family& f : families)
+    if (equal(name, f.name)) return &f;
+  return nullptr;
+}
+constexpr const Family* family_of(const Recipe& recipe) {
+  for (const Family& f : families)
+    if (f.model == recipe.stage[0].model) return &f;
+  return nullptr;
+}
+
+constexpr Word next_word(Word& rest) {
+  while (rest.length > 0 && rest.text[0] == ' ') rest = part(rest, 1, rest.length);
+  return take(rest, ' ');
+}
+
+// Reads text into `recipe`: a whole recipe where it begins with a model's name, changes to it otherwise. The recipe is
+// undefined after a failure.
+constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
+  Word rest = word_of(text);
+  const Word all = rest;
+  Reader r{};
+  r.recipe = &recipe;
+  r.origin = text;
+  Word word = next_word(rest);
+  r.family = family_named(word);
+  const bool fresh = r.family != nullptr;
+  if (fresh) defaults(recipe, *r.family);
+  if (!fresh && find(word, '=') == word.length && word.length > 0) {
+    fail(r, unknown_word, word);
+    trouble = r.trouble;
+    return unknown_word;
+  }
+  if (fresh) {
+    word = next_word(rest);
+    r.pairs_given = true;
+  } else {
+    r.family = family_of(recipe);
+  }
+  const int8_t angle = slot_named(*r.family, "angle"), scale = slot_named(*r.family, "scale");
+  r.first_angle = angle < 0 ? 0 : recipe.stage[0].number[angle];
+  r.scale = scale < 0 ? base::kMicro : recipe.stage[0].number[scale];
+  bool good = true;
+  for (; good && word.length > 0; word = next_word(rest)) good = equal(word, "then") ? then_stage(r, next_word(rest)) : key_value(r, word);
+  if (good) good = settle(r, all);
+  trouble = r.trouble;
+  return good ? ok : r.trouble.status;
+}
+
+// A preset's recipe, at compile time. Refused text does not compile: see presets.hpp.
+constexpr Preset preset(const char* text) {
+  Preset p{};
+  Trouble trouble{};
+  if (read(text, p.recipe, trouble) != ok) p.recipe.stages = 0;
+  return p;
+}
+
+}  // namespace dapple::recipe

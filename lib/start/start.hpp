@@ -1,0 +1,53 @@
+// Initial states: noise in every cell, or seed discs on a jittered diamond grid.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../grid/domain.hpp"
+#include "../grid/plane.hpp"
+
+namespace dapple {
+
+// How a recipe starts. Lengths are in cells of the finest grid, numbers in 1/1000000.
+struct Start {
+  enum Kind : uint8_t { noise, seeds } kind;
+  int32_t pitch;      // seeds: distance of the discs along a row
+  int32_t aspect;     // seeds: distance of the rows of discs, as a share of pitch
+  int32_t jitter;     // seeds: each disc is moved by up to this share of the spacing, uniformly, in either direction
+  int32_t radius;     // seeds: of the discs
+  int32_t amplitude;  // of the seeds, as a share of the model's own
+};
+
+}  // namespace dapple
+
+namespace dapple::start {
+
+using grid::Levels;
+
+// The grid of discs on a domain: columns = round(width / pitch), rows = the even number nearest to
+// height / (aspect * pitch); at least one column and two rows.
+struct DiscGrid {
+  uint16_t columns, rows;
+};
+constexpr DiscGrid disc_grid(const Start& s, uint16_t width, uint16_t height, uint8_t level) {
+  const int64_t pitch = s.pitch >> level;
+  const int64_t row_pitch = pitch * s.aspect / base::kMicro;
+  const int64_t columns = base::divide_round(static_cast<int64_t>(width) * base::kMicro, pitch > 0 ? pitch : 1);
+  const int64_t pairs = base::divide_round(static_cast<int64_t>(height) * base::kMicro, 2 * (row_pitch > 0 ? row_pitch : 1));
+  return {static_cast<uint16_t>(columns < 1 ? 1 : columns > 65535 ? 65535 : columns),
+          static_cast<uint16_t>(pairs < 1 ? 2 : pairs > 32767 ? 65534 : 2 * pairs)};
+}
+
+// One row of one plane, cells of `cell` kind; y in cells of the grid of this level (width x height).
+// Noise is hash(seed, plane, x, y). Discs have the centre
+//   ((i + 1/4 + 1/2 (j odd)) + jitter U) * width / columns,  ((j + 1/2) + jitter U') * height / rows,   U in [-1, 1),
+// and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
+struct Place {
+  grid::Cell cell;
+  uint16_t width, height;  // of the grid of this level
+  uint8_t level;
+  uint16_t roll_x, roll_y;  // cells of this level
+  uint32_t seed;
+};
+void noise_row(const Place& place, uint8_t plane, const Levels& levels, uint16_t y, void* row);
+void seeds_row(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row);
+
+}  // namespace dapple::start
