@@ -108,28 +108,69 @@ static void open_coset(const Field& field, const Sweep& sweep, const Windows& w,
   band.open = true;
 }
 
-// Moves the ring on by one row: the row r places ahead comes from its plane, or from the saved rows past the end.
-static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, const Band& band) {
-  const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
-  const uint16_t to = static_cast<uint16_t>((band.slot + 2 * sweep.radius) % ring);
+// The row r places ahead goes into `to`: from its plane, or from the saved rows past the end.
+static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, const Band& band, uint16_t to) {
   const uint32_t ahead = static_cast<uint32_t>(band.index) + sweep.radius;
-  if (ahead >= band.stop) return copy_slots(field, sweep, w, to, static_cast<uint16_t>(first_slot(sweep.radius) + ahead - band.stop));
+  if (ahead >= band.stop)
+    return copy_slots(field, sweep, w, to, static_cast<uint16_t>(first_slot(sweep.radius) + ahead - band.stop));
   uint32_t y = band.y + static_cast<uint32_t>(sweep.radius) * order.stride;
   while (y >= field.height) y -= field.height;
   save(field, sweep, w, to, static_cast<uint16_t>(y));
 }
 
-static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, grid::Rows& rows) {
-  const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
-  for (uint8_t i = 0; i < sweep.count; ++i) {
-    rows.out[i] = row_of(field, static_cast<uint8_t>(sweep.first + i), band.y);
-    if (sweep.radius == 0) continue;
-    uint8_t slot = band.slot;
-    for (uint8_t k = 0; k < ring; ++k) {
-      rows.in[i * ring + k] = slot_of(w, i, slot);
-      slot = static_cast<uint8_t>(slot + 1 == ring ? 0 : slot + 1);
-    }
+// The kernel's rows: in[plane * ring + k] is the old row k - r places away, out[plane] the plane's own row.
+static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, uint8_t ring, grid::Rows& rows) {
+  uint8_t* out = row_of(field, sweep.first, band.y);
+  for (uint8_t i = 0; i < sweep.count; ++i, out += field.plane_bytes) rows.out[i] = out;
+  if (sweep.radius == 0) return;
+  uint8_t* const end = w.base + ring * w.row;
+  uint8_t* from = w.base + band.slot * w.row;
+  for (uint8_t k = 0; k < ring; ++k) {
+    for (uint8_t i = 0; i < sweep.count; ++i) rows.in[i * ring + k] = from + i * w.plane;
+    from += w.row;
+    if (from == end) from = w.base;
   }
+}
+
+// Moves the band on by one position.
+static void move_on(const Order& order, uint16_t height, uint8_t ring, Band& band) {
+  ++band.next;
+  band.slot = static_cast<uint8_t>(band.slot + 1 == ring ? 0 : band.slot + 1);
+  const uint32_t y = static_cast<uint32_t>(band.y) + order.stride;
+  band.y = static_cast<uint16_t>(y < height ? y : y - height);
+  if (++band.index < order.length) return;
+  band.index = 0;
+  band.y = ++band.coset;
+  band.open = false;
+}
+
+// The same rows as the loop of run_band, for the sweep that matters most: one plane, one row either side, away from the
+// coset's end. Pointers move instead of being made afresh.
+static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
+                          Band& band, uint32_t rows) {
+  const uint32_t left = static_cast<uint32_t>(band.stop) - band.index;
+  const uint32_t count = left - 1 < rows ? left - 1 : rows;
+  uint8_t* const plane = field.planes + sweep.first * field.plane_bytes;
+  uint8_t* ring[3];
+  for (uint8_t k = 0; k < 3; ++k) ring[k] = slot_of(w, 0, static_cast<uint16_t>((band.slot + k) % 3));
+  uint32_t y = band.y;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t ahead = y + order.stride < field.height ? y + order.stride : y + order.stride - field.height;
+    grid::copy_row(field.cell, ring[2], plane + ahead * field.row_bytes, field.width, sweep.halo);
+    for (uint8_t k = 0; k < 3; ++k) call.in[k] = ring[k];
+    call.out[0] = plane + y * field.row_bytes;
+    sweep.row(call);
+    uint8_t* const oldest = ring[0];
+    ring[0] = ring[1];
+    ring[1] = ring[2];
+    ring[2] = oldest;
+    y = ahead;
+  }
+  band.y = static_cast<uint16_t>(y);
+  band.next = static_cast<uint16_t>(band.next + count);
+  band.index = static_cast<uint16_t>(band.index + count);
+  band.slot = static_cast<uint8_t>((band.slot + count) % 3);
+  return count;
 }
 
 uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, uint8_t index, Band& band, uint32_t rows) {
@@ -148,21 +189,13 @@ uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, 
   for (; done < rows && band.next < band.end; ++done) {
     if (sweep.radius > 0) {
       if (!band.open) open_coset(field, sweep, w, order, start, band);
-      load_ahead(field, sweep, w, order, band);
+      if (sweep.radius == 1 && sweep.count == 1) done += run_three(field, sweep, w, order, call, band, rows - done);
+      if (done == rows) break;
+      load_ahead(field, sweep, w, order, band, static_cast<uint16_t>(band.slot == 0 ? ring - 1 : band.slot - 1));
     }
-    set_rows(field, sweep, w, band, call);
+    set_rows(field, sweep, w, band, ring, call);
     sweep.row(call);
-    ++band.next;
-    ++band.index;
-    if (sweep.radius > 0) band.slot = static_cast<uint8_t>(band.slot + 1 == ring ? 0 : band.slot + 1);
-    uint32_t y = static_cast<uint32_t>(band.y) + order.stride;
-    if (y >= field.height) y -= field.height;
-    if (band.index == order.length) {
-      band.index = 0;
-      y = ++band.coset;
-      band.open = false;
-    }
-    band.y = static_cast<uint16_t>(y);
+    move_on(order, field.height, ring, band);
   }
   return done;
 }

@@ -10,13 +10,14 @@ RowKernel choose(const KernelSwap* swaps, RowKernel portable) {
   return portable;
 }
 
-void copy_bytes(void* to, const void* from, size_t count) {
-  uint8_t* DAPPLE_RESTRICT t = static_cast<uint8_t*>(to);
-  const uint8_t* DAPPLE_RESTRICT f = static_cast<const uint8_t*>(from);
-  for (size_t i = 0; i < count; ++i) t[i] = f[i];
-}
-
 template <class T> static void wrap_cells(T* row, uint16_t width, uint16_t halo) {
+  if (halo <= width) {
+    for (uint16_t i = 0; i < halo; ++i) {
+      row[static_cast<size_t>(width) + i] = row[i];
+      row[-1 - static_cast<ptrdiff_t>(i)] = row[static_cast<size_t>(width) - 1 - i];
+    }
+    return;
+  }
   uint16_t source = 0;
   for (uint16_t i = 0; i < halo; ++i) {
     row[static_cast<size_t>(width) + i] = row[source];

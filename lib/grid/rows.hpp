@@ -57,8 +57,7 @@ struct KernelSwap {
 };
 RowKernel choose(const KernelSwap* swaps, RowKernel portable);
 
-// copy_bytes: count bytes, no overlap.
-void copy_bytes(void* to, const void* from, size_t count);
+using base::copy_bytes;
 
 // Copies `width` cells and wraps `halo` cells around on both sides, halo <= any size (cells repeat with period width).
 void copy_row(Cell cell, void* to, const void* from, uint16_t width, uint16_t halo);

@@ -10,21 +10,21 @@ constexpr int16_t kUnit = 16384;  // v = 1.0 in Q14
 constexpr int16_t kOne = 16383;   // u = 1.0, so that every sum fits int16
 
 // Slots. Plane 0 is u (the substrate), plane 1 is v (the activator, which paint shows).
-enum Slot : uint8_t { feed, kill, scale, level, slots };
+enum Slot : uint8_t { feed, kill, scale, above, slots };
 
 constexpr int32_t kFeed[2] = {5000, 100000}, kKill[2] = {30000, 75000};
-constexpr int32_t kScale[2] = {500000, 1100000}, kLevel[2] = {10000, 500000};
+constexpr int32_t kScale[2] = {500000, 1100000}, kAbove[2] = {10000, 500000};
 
 inline constexpr Number numbers[] = {
     {Number::decimal, "feed", kFeed[0], kFeed[1], 36700, nullptr, "per step: F, the rate at which u is fed"},
     {Number::decimal, "kill", kKill[0], kKill[1], 64900, nullptr, "per step: k, the rate at which v dies beyond F"},
     {Number::decimal, "scale", kScale[0], kScale[1], 1000000, nullptr, "length: Du = .16 scale^2, Dv = .08 scale^2"},
-    {Number::decimal, "level", kLevel[0], kLevel[1], 200000, nullptr, "v above which a cell is on"},
+    {Number::decimal, "above", kAbove[0], kAbove[1], 200000, nullptr, "v above which a cell is on"},
 };
 
 constexpr bool in_range(const int32_t* number) {
   return within(number[feed], kFeed[0], kFeed[1]) && within(number[kill], kKill[0], kKill[1]) &&
-         within(number[scale], kScale[0], kScale[1]) && within(number[level], kLevel[0], kLevel[1]);
+         within(number[scale], kScale[0], kScale[1]) && within(number[above], kAbove[0], kAbove[1]);
 }
 
 constexpr uint8_t planes(const int32_t*) { return 2; }
@@ -48,7 +48,7 @@ constexpr grid::Levels levels(const int32_t*, uint8_t plane) {
 constexpr int32_t wavelength(const int32_t* number) { return 12 * number[scale]; }
 
 constexpr int16_t cell_level(const int32_t* number) {
-  return static_cast<int16_t>(base::divide_round(static_cast<int64_t>(number[level]) * kUnit, base::kMicro));
+  return static_cast<int16_t>(base::divide_round(static_cast<int64_t>(number[above]) * kUnit, base::kMicro));
 }
 
 // p: {F, rounding of F, F + k, rounding of F + k}, even Q16.

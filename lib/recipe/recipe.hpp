@@ -45,7 +45,7 @@ inline constexpr Family families[] = {
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
-     {Start::seeds, 40000000, 600000, 350000, 6000000, 1000000}, 0, 350000},
+     {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000}, 0, 350000},
 };
 
 }  // namespace dapple::recipe

@@ -1,0 +1,76 @@
+// Every preset has the bytes tests/golden/presets.txt says, whatever the budget and the number of bands.
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "grow.hpp"
+
+namespace {
+
+struct Golden {
+  char name[64];
+  unsigned width, height, seed;
+  uint64_t field, pixels;
+};
+
+std::vector<Golden> read_goldens() {
+  std::vector<Golden> all;
+  std::ifstream in(DAPPLE_GOLDEN_DIR "/presets.txt");
+  for (std::string line; std::getline(in, line);) {
+    Golden g{};
+    const int read = std::sscanf(line.c_str(), "%63s %ux%u %u %" SCNx64 " %" SCNx64, g.name, &g.width, &g.height, &g.seed, &g.field, &g.pixels);
+    REQUIRE_MESSAGE(read == 6, "broken golden line: " << line);
+    all.push_back(g);
+  }
+  return all;
+}
+
+void check(const Golden& g, uint32_t budget, uint8_t bands) {
+  const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
+  dapple::Options options;
+  options.bands = bands;
+  tests::Grown tile(recipe, dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height)), g.seed, budget, options);
+  REQUIRE(tile.status == dapple::ok);
+  char line[160];
+  std::snprintf(line, sizeof line, "%s %ux%u %u %016" PRIx64 " %016" PRIx64, g.name, g.width, g.height, g.seed, tile.field_hash(), tile.paint_hash());
+  INFO("now: " << line << "  (budget " << budget << ", bands " << int(bands) << ")");
+  CHECK(tile.field_hash() == g.field);
+  CHECK(tile.paint_hash() == g.pixels);
+}
+
+}  // namespace
+
+TEST_CASE("golden: every preset has its lines, and no others") {
+  std::set<std::string> wanted, found;
+  for (uint16_t i = 0; i < dapple::preset_count(); ++i) {
+    char name[dapple::kMaxName];
+    dapple::preset_at(i, name);
+    for (const tests::Size size : tests::kGoldenSizes)
+      wanted.insert(std::string(name) + " " + std::to_string(size.width) + "x" + std::to_string(size.height));
+  }
+  for (const Golden& g : read_goldens()) found.insert(std::string(g.name) + " " + std::to_string(g.width) + "x" + std::to_string(g.height));
+  CHECK(wanted == found);
+}
+
+TEST_CASE("golden: one call") {
+  for (const Golden& g : read_goldens()) check(g, UINT32_MAX, 1);
+}
+
+TEST_CASE("golden: one row at a time, seven rows at a time") {
+  for (const Golden& g : read_goldens()) {
+    check(g, 1, 1);
+    check(g, 7, 1);
+  }
+}
+
+TEST_CASE("golden: two and three bands") {
+  for (const Golden& g : read_goldens()) {
+    check(g, UINT32_MAX, 2);
+    check(g, 7, 3);
+  }
+}

@@ -1,0 +1,84 @@
+// What the tests share: growing a texture into a buffer of exactly the bytes it asks for, and the hashes of goldens.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "dapple.hpp"
+#include "recipe/list.hpp"
+
+namespace tests {
+
+// FNV-1a, 64 bit.
+struct Fnv {
+  uint64_t value = UINT64_C(0xcbf29ce484222325);
+  void byte(uint8_t b) { value = (value ^ b) * UINT64_C(0x100000001b3); }
+  void number(int32_t n) {
+    for (int shift = 0; shift < 32; shift += 8) byte(static_cast<uint8_t>(static_cast<uint32_t>(n) >> shift));
+  }
+};
+
+// A texture with its own memory, grown to the end.
+struct Grown {
+  std::vector<uint8_t> memory;
+  dapple::Recipe recipe;
+  dapple::Texture texture;
+  dapple::Status status;
+
+  Grown(const dapple::Recipe& r, dapple::Domain domain, uint32_t seed, uint32_t budget = UINT32_MAX,
+        const dapple::Options& options = dapple::Options{})
+      : memory(dapple::bytes_for(r, domain, options.bands)), recipe(r) {
+    status = texture.begin(recipe, domain, seed, memory.data(), memory.size(), options);
+    if (status == dapple::ok)
+      while (texture.step(budget) == dapple::more) {
+      }
+  }
+  Grown(const Grown&) = delete;
+
+  std::vector<int16_t> field() {
+    const dapple::Domain d = texture.domain();
+    std::vector<int16_t> all(static_cast<size_t>(d.width) * d.height);
+    for (uint16_t y = 0; y < d.height; ++y) texture.row(y, all.data() + static_cast<size_t>(y) * d.width);
+    return all;
+  }
+  uint64_t field_hash() {
+    Fnv fnv;
+    for (const int16_t value : field()) fnv.number(value);
+    return fnv.value;
+  }
+  std::vector<uint8_t> pixels(const dapple::Brush& brush) {
+    const dapple::Domain d = texture.domain();
+    const size_t bytes = dapple::pixel_bytes(brush.format, d.width);
+    std::vector<uint8_t> all(bytes * d.height);
+    for (uint16_t y = 0; y < d.height; ++y) texture.paint(y, brush, all.data() + bytes * y);
+    return all;
+  }
+  uint64_t paint_hash() {
+    Fnv fnv;
+    for (const uint8_t b : pixels(dapple::Brush{})) fnv.byte(b);
+    return fnv.value;
+  }
+};
+
+inline dapple::Recipe recipe_of(const char* text) {
+  dapple::Recipe recipe{};
+  dapple::Trouble trouble{};
+  if (dapple::parse(text, recipe, trouble) != dapple::ok) recipe.stages = 0;
+  return recipe;
+}
+
+// A preset with some of its numbers changed.
+inline dapple::Recipe preset_with(const char* name, const char* changes) {
+  dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
+  dapple::Trouble trouble{};
+  if (dapple::parse(changes, recipe, trouble) != dapple::ok) recipe.stages = 0;
+  return recipe;
+}
+
+struct Size {
+  uint16_t width, height;
+};
+constexpr Size kGoldenSizes[] = {{128, 128}, {160, 96}, {97, 113}};
+constexpr uint32_t kGoldenSeed = 1337;
+
+}  // namespace tests
