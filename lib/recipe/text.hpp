@@ -263,7 +263,6 @@ constexpr bool settle(Reader& r, Word all) {
     if (r.wavelength != 0 && scale >= 0) {
       number[scale] = base::kMicro;
       const int32_t one = r.family->model->wavelength(number);
-      const Number& n = r.family->numbers[scale];
       for (uint8_t k = 0; k < r.family->number_count; ++k) {
         const Number& range = r.family->numbers[k];
         if (!equal(word_of(range.name), "scale")) continue;
@@ -271,7 +270,6 @@ constexpr bool settle(Reader& r, Word all) {
         if (number[scale] < range.low || number[scale] > range.high)
           return fail(r, out_of_range, all, times(range.low, one, base::kMicro), times(range.high, one, base::kMicro));
       }
-      (void)n;
     }
     if (angle < 0) continue;
     const int32_t pairs = number[0];
