@@ -6,14 +6,6 @@ namespace dapple {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-static bool in_ranges(const Recipe& recipe) {
-  const Start& s = recipe.start;
-  const Paint& p = recipe.paint;
-  const bool seeds = s.kind == Start::noise || (s.kind == Start::seeds && s.pitch > 0 && s.aspect > 0 && s.jitter >= 0 &&
-                                                s.jitter <= base::kMicro && s.radius > 0 && s.amplitude >= 0 && s.amplitude <= base::kMicro);
-  return seeds && p.ramp.count >= 1 && p.ramp.count <= kMaxStops && p.low < p.high;
-}
-
 Status Texture::begin(const Preset& preset, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
                       const Options& options, Need* need) {
   return start(base::rom_load(&preset.recipe), &preset.recipe, true, domain, seed, memory, bytes, options, need);
@@ -28,7 +20,6 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
   Need wanted = api::need_of(checked, domain, options.bands, parts);
-  if (wanted.status == ok && !in_ranges(checked)) wanted.status = bad_recipe;
   if (wanted.status == ok && (memory == nullptr || bytes < wanted.bytes)) wanted.status = too_little_memory;
   if (need != nullptr) *need = wanted;
   if (wanted.status != ok) return wanted.status;

@@ -33,7 +33,7 @@ struct Need {
   uint16_t width, height;  // the smallest sides the pattern fits
   uint16_t multiple;       // sides must be multiples of this
   uint16_t reach;          // largest distance, in cells, of two cells that meet in one sweep
-  uint32_t sweeps;         // over the grid, in all
+  uint64_t sweeps;         // over the grid, in all
 };
 
 namespace api {
@@ -62,7 +62,7 @@ constexpr void smallest(const Recipe& recipe, Need& need) {
 }
 
 constexpr bool good_stages(const Recipe& recipe) {
-  if (recipe.stages < 1 || recipe.stages > kMaxStages) return false;
+  if (recipe.stages < 1 || recipe.stages > kMaxStages || !in_range(recipe.start) || !in_range(recipe.paint)) return false;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     if (s.model == nullptr || s.solver == nullptr || s.level > kMaxLevel || !s.model->in_range(s.number)) return false;
@@ -97,7 +97,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const Domain& domain, uin
     const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
-    need.sweeps += s.steps * reach.sweeps;
+    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps;
   }
   return parts;
 }
@@ -165,7 +165,7 @@ class Texture {
   void finish() { while (step(UINT32_MAX) == more) {} }
 
   // Progress: rows of work done and in all; steps done in all stages.
-  uint32_t rows_done() const { return run_.rows; }
+  uint64_t rows_done() const { return run_.rows; }
   uint64_t rows_in_all() const { return rows_in_all_; }
   uint32_t steps_done() const { return run_.clock.step; }
 
@@ -195,7 +195,7 @@ class Texture {
   uint8_t* work_;
   uint64_t rows_in_all_;
   uint32_t held_rows_[3];   // which row a slot holds, as of rows_seen_
-  uint32_t rows_seen_;
+  uint64_t rows_seen_;
   bool rom_;
 };
 

@@ -48,12 +48,12 @@ bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   const uint16_t steps = euler_steps(*context.model, context.number, context.level);
   if (cursor.sweep == 0) {
     whole_window(context, sweep);
-    sweep.row = wide_row;
     sweep.part[0] = grid::choose(context.kernels, &stencil::nine_row);
     fill_nine(context, steps);
     context.model->values(context.number, context.clock, sweep.p);
     sweep.p[5] = 32768 / static_cast<int32_t>(steps);
   }
+  sweep.row = wide_row;
   return cursor.sweep++ < steps;
 }
 

@@ -53,7 +53,7 @@ struct Run {
   int32_t* table;
   uint32_t seed;
   uint32_t step;    // done in this stage
-  uint32_t rows;    // of work done in all, for progress
+  uint64_t rows;    // of work done in all, for progress
   Clock clock;      // clock.step counts over the stages that continue each other
   Cursor cursor;
   Sweep sweep;

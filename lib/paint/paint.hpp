@@ -25,6 +25,8 @@ struct Paint {
   int32_t grain;  // noise of the brightness, 0..1
 };
 
+constexpr bool in_range(const Paint& p) { return p.ramp.count >= 1 && p.ramp.count <= kMaxStops && p.low < p.high; }
+
 enum class View : uint8_t {
   colour,  // ramp, light, gloss, grain
   field,   // grey: low..high to 0..255

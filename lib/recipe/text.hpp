@@ -182,9 +182,9 @@ constexpr bool start_key(Reader& r, Word key, Word value, bool& found) {
     s.kind = static_cast<Start::Kind>(index);
     return true;
   }
-  if (equal(key, "pitch")) return (r.pitch_given = true) && decimal_in(r, value, 4 * base::kMicro, 1000 * base::kMicro, s.pitch);
-  if (equal(key, "radius")) return (r.radius_given = true) && decimal_in(r, value, 500000, 200 * base::kMicro, s.radius);
-  if (equal(key, "aspect")) return decimal_in(r, value, 200000, 5 * base::kMicro, s.aspect);
+  if (equal(key, "pitch")) return (r.pitch_given = true) && decimal_in(r, value, kPitch[0], kPitch[1], s.pitch);
+  if (equal(key, "radius")) return (r.radius_given = true) && decimal_in(r, value, kRadius[0], kRadius[1], s.radius);
+  if (equal(key, "aspect")) return decimal_in(r, value, kAspect[0], kAspect[1], s.aspect);
   if (equal(key, "jitter")) return decimal_in(r, value, 0, base::kMicro, s.jitter);
   if (equal(key, "amplitude")) return decimal_in(r, value, 10000, base::kMicro, s.amplitude);
   found = false;
@@ -254,6 +254,16 @@ constexpr bool spread_levels(Reader& r, Word all) {
 constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
+constexpr int32_t times(int32_t value, int32_t now, int32_t was, const int32_t* range) {
+  const int64_t product = base::divide_round(static_cast<int64_t>(value) * now, was);
+  return static_cast<int32_t>(product < range[0] ? range[0] : product > range[1] ? range[1] : product);
+}
+
+// An angle turned by another, within a turn either way.
+constexpr int32_t turned(int32_t angle, int32_t by) {
+  const int64_t turn = 360 * base::kMicro, sum = static_cast<int64_t>(angle) + by;
+  return static_cast<int32_t>(sum > turn || sum < -turn ? sum % turn : sum);
+}
 
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
 constexpr bool settle(Reader& r, Word all) {
@@ -276,16 +286,16 @@ constexpr bool settle(Reader& r, Word all) {
     const int32_t first = number[angle];
     for (uint8_t j = 1; j < 5 && !r.angles_given; ++j) {
       if (r.pairs_given)
-        number[angle + j] = j < pairs ? first + j * (180 * base::kMicro / pairs) : 0;
+        number[angle + j] = j < pairs ? turned(first, j * (180 * base::kMicro / pairs)) : 0;
       else if (r.angle_given)
-        number[angle + j] += j < pairs ? first - r.first_angle : 0;
+        number[angle + j] = j < pairs ? turned(number[angle + j], first - r.first_angle) : 0;
     }
   }
   if (scale >= 0) {
     const int32_t now = r.recipe->stage[0].number[scale];
     Start& s = r.recipe->start;
-    if (!r.pitch_given) s.pitch = times(s.pitch, now, r.scale);
-    if (!r.radius_given) s.radius = times(s.radius, now, r.scale);
+    if (!r.pitch_given) s.pitch = times(s.pitch, now, r.scale, kPitch);
+    if (!r.radius_given) s.radius = times(s.radius, now, r.scale, kRadius);
   }
   return spread_levels(r, all);
 }
@@ -310,10 +320,14 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   }
 }
 
-constexpr const Family* family_named(Word name) {
-  for (const Family& f : families)
-    if (equal(name, f.name)) return &f;
-  return nullptr;
+// Index among `families`, or -1.
+constexpr int8_t family_named(Word name) {
+  int8_t index = 0;
+  for (const Family& f : families) {
+    if (equal(name, f.name)) return index;
+    ++index;
+  }
+  return -1;
 }
 constexpr const Family* family_of(const Recipe& recipe) {
   for (const Family& f : families)
@@ -334,11 +348,19 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
   Reader r{};
   r.recipe = &recipe;
   r.origin = text;
+  if (rest.length == kMaxText) {
+    fail(r, broken_text, part(rest, kMaxText - 1, kMaxText));
+    trouble = r.trouble;
+    return broken_text;
+  }
   Word word = next_word(rest);
-  r.family = family_named(word);
-  const bool fresh = r.family != nullptr;
-  if (fresh) defaults(recipe, *r.family);
-  if (!fresh && find(word, '=') == word.length && word.length > 0) {
+  const int8_t named = family_named(word);
+  const bool fresh = named >= 0;
+  if (fresh) {
+    r.family = families + named;
+    defaults(recipe, *r.family);
+  }
+  if (!fresh && (recipe.stages == 0 || (find(word, '=') == word.length && word.length > 0))) {
     fail(r, unknown_word, word);
     trouble = r.trouble;
     return unknown_word;

@@ -12,9 +12,11 @@ struct Word {
   uint16_t length;
 };
 
+constexpr uint16_t kMaxText = 4000;  // characters of a recipe's line; what is behind them is not read
+
 constexpr uint16_t length_of(const char* text) {
   uint16_t n = 0;
-  while (text[n] != 0) ++n;
+  while (n < kMaxText && text[n] != 0) ++n;
   return n;
 }
 constexpr Word word_of(const char* text) { return {text, length_of(text)}; }

@@ -16,6 +16,17 @@ struct Start {
   int32_t amplitude;  // of the seeds, as a share of the model's own
 };
 
+// Ranges, 1/kMicro; jitter and amplitude are 0..1.
+constexpr int32_t kPitch[2] = {4 * base::kMicro, 1000 * base::kMicro}, kRadius[2] = {500000, 200 * base::kMicro};
+constexpr int32_t kAspect[2] = {200000, 5 * base::kMicro};
+
+constexpr bool in_range(const Start& s) {
+  if (s.kind == Start::noise) return true;
+  const auto within = [](int32_t value, int32_t low, int32_t high) { return value >= low && value <= high; };
+  return s.kind == Start::seeds && within(s.pitch, kPitch[0], kPitch[1]) && within(s.aspect, kAspect[0], kAspect[1]) &&
+         within(s.jitter, 0, base::kMicro) && within(s.radius, kRadius[0], kRadius[1]) && within(s.amplitude, 0, base::kMicro);
+}
+
 }  // namespace dapple
 
 namespace dapple::start {

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# A program that names one preset links that preset, its model and its solver, and nothing of the others or of recipes
+# as text. Prints what it takes.
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.bash"
+need g++ clang++ ld.lld llvm-nm llvm-size
+
+flags="-std=c++17 -Os -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti -fno-threadsafe-statics -I$root/lib"
+bare="-ffreestanding -nostdinc++ -fno-asynchronous-unwind-tables"
+
+# build TARGET PRESET: the program is $scratch/TARGET-PRESET
+build() {
+  local out=$scratch/$1-$2 compiler link file
+  link="ld.lld --gc-sections -e main --unresolved-symbols=ignore-all -o $out"
+  case $1 in
+    x86-64) compiler="g++ -fno-asynchronous-unwind-tables" link="g++ -Wl,--gc-sections -o $out" ;;
+    cortex-m0) compiler="clang++ --target=thumbv6m-none-eabi -mcpu=cortex-m0 -mfloat-abi=soft $bare" ;;
+    avr) compiler="clang++ --target=avr -mmcu=atmega328p $bare" ;;
+  esac
+  for file in lib/one tests/checks/onepreset; do
+    $compiler $flags "-DONE_PRESET=$2" -c "$root/$file.cpp" -o "$out-${file##*/}.o" || return 1
+  done
+  $link "$out-one.o" "$out-onepreset.o" 2> "$out.err" || { cat "$out.err"; return 1; }
+}
+
+# check TARGET PRESET PATTERN: no symbol of the program matches
+check() {
+  local out=$scratch/$1-$2 found
+  build "$1" "$2" || { fail "$1, $2: does not build"; return; }
+  found=$(llvm-nm -C --defined-only "$out" | cut -d' ' -f3- | grep -E "$3|dapple::recipe::|dapple::parse|dapple::write|kPresets|preset_(at|count)|find_preset")
+  found+=$(llvm-nm -C --defined-only "$out" | cut -d' ' -f3- | grep 'dapple::presets::' | grep -v "dapple::presets::$2\$")
+  [ -z "$found" ] || fail "$1, $2: also links $(echo $found)"
+  llvm-nm -C --defined-only "$out" | grep -q "dapple::presets::$2\$" || fail "$1, $2: the preset itself is not there"
+  llvm-size -A "$out" | awk -v name="$1, $2" '
+    /^\.(text|rodata|ARM|progmem|data\.rel\.ro)/ { flash += $2 } /^\.text/ { text += $2 } /^\.(data|bss) / { ram += $2 }
+    END { printf "%-20s .text %6d, with constants %6d bytes; .data and .bss %6d bytes\n", name, text, flash, ram }'
+}
+
+for target in x86-64 cortex-m0 avr; do
+  check $target zebra 'gray_scott|kinetic|laplacian|euler'
+  check $target mitosis 'threshold|lattice|gaussian|pass_|series|euler'
+done
+echo "(64 x 64 cells in .bss; without start-up code and the compiler's integer helpers; x86-64 with the C start-up code)"
+finish

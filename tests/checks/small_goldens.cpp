@@ -1,0 +1,138 @@
+// Grows every preset at its smallest size for a few steps, sliced, banded and out of unclean memory at odd addresses, and
+// paints it in every way. Prints one line a preset: name WxH steps seed field pixels. tests/checks/hostile.sh compares
+// what many compilers and options make of it.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "../grow.hpp"
+
+namespace {
+
+constexpr uint32_t kSeed = 42;
+constexpr uint16_t kLargestSide = 96;
+
+struct Way {
+  uint32_t budget;
+  uint8_t bands;
+  uint8_t offset;    // of the memory from an aligned address
+  uint8_t dirt;      // what the memory and the object hold before
+  bool look;         // paints while it grows
+};
+constexpr Way kWays[] = {{UINT32_MAX, 1, 0, 0x00, false}, {1, 1, 1, 0xff, false}, {7, 2, 2, 0xa5, true}, {13, 5, 3, 0x80, false}};
+
+// The recipe for a few steps only: 8 of the threshold family's, 40 of the others', shared among the stages.
+void shorten(dapple::Recipe& recipe) {
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    dapple::Stage& stage = recipe.stage[i];
+    const uint32_t most = stage.model == &dapple::threshold_model ? 8 : 40;
+    if (stage.steps > most) stage.steps = most;
+  }
+}
+
+uint16_t fitting_side(uint16_t least, uint16_t multiple) {
+  return static_cast<uint16_t>((least + multiple - 1) / multiple * multiple);
+}
+
+// The smallest torus the recipe takes; width 0 if that is larger than these goldens may be.
+dapple::Domain smallest(const dapple::Recipe& recipe) {
+  const dapple::Need need = dapple::need_for(recipe, dapple::torus(kLargestSide, kLargestSide));
+  if (need.width > kLargestSide || need.height > kLargestSide) return dapple::torus(0, 0);
+  return dapple::torus(fitting_side(need.width, need.multiple), fitting_side(need.height, need.multiple));
+}
+
+struct Tile {
+  std::unique_ptr<uint8_t[]> memory;
+  dapple::Texture texture;
+
+  Tile(const dapple::Recipe& recipe, const dapple::Domain& domain, const Way& way) {
+    const size_t bytes = dapple::bytes_for(recipe, domain, way.bands);
+    memory.reset(new uint8_t[way.offset + bytes]);
+    std::memset(memory.get(), way.dirt, way.offset + bytes);
+    std::memset(static_cast<void*>(&texture), way.dirt, sizeof texture);
+    dapple::Options options;
+    options.bands = way.bands;
+    grown = texture.begin(recipe, domain, kSeed, memory.get() + way.offset, bytes, options) == dapple::ok;
+    uint8_t line[4 * kLargestSide];
+    for (uint16_t y = 0; grown && texture.step(way.budget) == dapple::more; y = static_cast<uint16_t>((y + 5) % domain.height))
+      if (way.look) texture.paint(y, dapple::Pixels::rgba8888, line);
+  }
+  Tile(const Tile&) = delete;
+  bool grown;
+
+  uint64_t field_hash() {
+    tests::Fnv fnv;
+    int16_t line[kLargestSide];
+    for (uint16_t y = 0; y < texture.domain().height; ++y) {
+      texture.row(y, line);
+      for (uint16_t x = 0; x < texture.domain().width; ++x) fnv.number(line[x]);
+    }
+    return fnv.value;
+  }
+
+  // Every view in colour, every format plain and dithered, rows from the bottom up.
+  uint64_t pixels_hash() {
+    using dapple::Pixels;
+    using dapple::View;
+    tests::Fnv fnv;
+    for (const View view : {View::colour, View::field, View::cells, View::height, View::normal})
+      for (const bool flag : {false, true}) add({view, Pixels::rgb888, false, flag}, fnv);
+    for (const Pixels format : {Pixels::l8, Pixels::rgb888, Pixels::rgba8888, Pixels::rgb565, Pixels::rgb565_swapped,
+                                Pixels::l1_msb, Pixels::l1_lsb, Pixels::l1_pages})
+      for (const bool flag : {false, true}) add({View::colour, format, flag, false}, fnv);
+    return fnv.value;
+  }
+
+ private:
+  void add(const dapple::Brush& brush, tests::Fnv& fnv) {
+    uint8_t line[4 * kLargestSide] = {};
+    for (uint16_t rest = texture.domain().height; rest > 0; --rest) {
+      texture.paint(static_cast<uint16_t>(rest - 1), brush, line);
+      for (size_t i = 0; i < dapple::pixel_bytes(brush.format, texture.domain().width); ++i) fnv.byte(line[i]);
+    }
+  }
+};
+
+bool print(const char* name, const dapple::Recipe& recipe) {
+  const dapple::Domain domain = smallest(recipe);
+  if (domain.width == 0) return true;
+  uint64_t field = 0, pixels = 0;
+  for (const Way& way : kWays) {
+    Tile tile(recipe, domain, way);
+    if (!tile.grown) return false;
+    const bool first = &way == kWays;
+    if (!first && (field != tile.field_hash() || pixels != tile.pixels_hash())) return false;
+    field = tile.field_hash();
+    pixels = tile.pixels_hash();
+  }
+  std::printf("%s %ux%u %u %u %08lx%08lx %08lx%08lx\n", name, unsigned(domain.width), unsigned(domain.height),
+              unsigned(recipe.stage[recipe.stages - 1].steps), unsigned(kSeed), static_cast<unsigned long>(field >> 32),
+              static_cast<unsigned long>(field & UINT32_MAX), static_cast<unsigned long>(pixels >> 32),
+              static_cast<unsigned long>(pixels & UINT32_MAX));
+  return true;
+}
+
+}  // namespace
+
+int main() {
+  int wrong = 0;
+  for (uint16_t i = 0; i < dapple::preset_count(); ++i) {
+    char name[dapple::kMaxName];
+    dapple::preset_at(i, name);
+    dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
+    shorten(recipe);
+    for (const char* changes : {"", "solver=euler levels=2"}) {
+      dapple::Recipe changed = recipe;
+      dapple::Trouble trouble{};
+      if (*changes != 0 && dapple::parse(changes, changed, trouble) != dapple::ok) continue;
+      const std::string label = std::string(name) + (*changes != 0 ? "+euler+levels" : "");
+      if (!print(label.c_str(), changed)) {
+        std::printf("%s: budgets, bands or memory change the result\n", label.c_str());
+        ++wrong;
+      }
+    }
+  }
+  return wrong == 0 ? 0 : 1;
+}

@@ -1,0 +1,18 @@
+// The commands. Each prints or writes what it is for, or throws Failure.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "options.hpp"
+
+namespace cli {
+
+void list(const Options& options);
+void grow(const Options& options);
+void info(const Options& options);
+void sheet(const Options& options);
+
+// Text as a JSON string.
+std::string json_text(const std::string& text);
+
+std::string version_text();
+
+}  // namespace cli

@@ -1,0 +1,232 @@
+// The options of all commands: one table, from which help is made too.
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "errors.hpp"
+#include "recipe/word.hpp"
+#include "recipe/ramps.hpp"
+
+namespace cli {
+
+using dapple::recipe::Word;
+
+namespace {
+
+struct Option {
+  const char* name;
+  const char* value;  // how help calls it; null: the option takes none
+  unsigned commands;
+  const char* help;
+  void (*read)(Options& options, const std::string& value);
+};
+
+[[noreturn]] void refuse_value(const char* name, const std::string& value, const std::string& allowed) {
+  refuse(std::string(name) + " " + shown(value) + ": give " + allowed);
+}
+
+// Decimal digits or, where `hexadecimal`, 0x and hexadecimal digits; false when that is not what the text is.
+bool read_number(const std::string& text, bool hexadecimal, uint32_t& value) {
+  const bool hex = hexadecimal && text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+  const std::string digits = hex ? text.substr(2) : text;
+  uint64_t sum = 0;
+  for (const char c : digits) {
+    const int digit = dapple::recipe::hex_digit(c);
+    if (digit < 0 || (!hex && digit > 9)) return false;
+    sum = sum * (hex ? 16 : 10) + static_cast<uint64_t>(digit);
+    if (sum > UINT32_MAX) return false;
+  }
+  value = static_cast<uint32_t>(sum);
+  return !digits.empty();
+}
+
+uint32_t number(const char* name, const std::string& text, uint32_t low, uint32_t high, bool hexadecimal = false) {
+  uint32_t value = 0;
+  if (!read_number(text, hexadecimal, value) || value < low || value > high)
+    refuse_value(name, text,
+                 "a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+                     (hexadecimal ? ", decimal or 0x and hexadecimal" : ""));
+  return value;
+}
+
+// "4x3", both within the range; false when that is not what the text is.
+bool read_pair(const std::string& text, uint32_t low, uint16_t& first, uint16_t& second) {
+  const size_t x = text.find('x');
+  uint32_t a = 0, b = 0;
+  if (x == std::string::npos || !read_number(text.substr(0, x), false, a) || !read_number(text.substr(x + 1), false, b))
+    return false;
+  if (a < low || a > UINT16_MAX || b < low || b > UINT16_MAX) return false;
+  first = static_cast<uint16_t>(a);
+  second = static_cast<uint16_t>(b);
+  return true;
+}
+
+// Index of the value among words separated by '|'.
+int choice(const char* name, const std::string& value, const char* words) {
+  const Word word = {value.c_str(), static_cast<uint16_t>(std::min<size_t>(value.size(), UINT16_MAX))};
+  const int index = dapple::recipe::index_of(word, words);
+  if (index >= 0) return index;
+  std::string allowed = words;
+  for (size_t bar; (bar = allowed.find('|')) != std::string::npos;) allowed.replace(bar, 1, ", ");
+  refuse_value(name, value, "one of " + allowed);
+}
+
+void read_size(Options& o, const std::string& value) {
+  const std::string pair = value.find('x') == std::string::npos ? value + "x" + value : value;
+  if (!read_pair(pair, dapple::kSmallestSide, o.width, o.height))
+    refuse_value("--size", value, "N or WxH, each side from 8 to 65535");
+}
+
+void read_repeat(Options& o, const std::string& value) {
+  if (!read_pair(value, 1, o.across, o.down))
+    refuse_value("--repeat", value, "CxR, columns and rows, each from 1 to 65535");
+}
+
+void read_ramp(Options& o, const std::string& value) {
+  dapple::Ramp ramp{};
+  if (value.size() < 1000 && dapple::recipe::read_ramp(dapple::recipe::word_of(value.c_str()), ramp)) {
+    o.ramp = ramp;
+    return;
+  }
+  std::vector<std::string> names;
+  for (const dapple::recipe::NamedRamp& named : dapple::recipe::ramps) names.push_back(named.name);
+  refuse_value("--ramp", value, "stops (000000,ff8000 or 0:000000,255:ffffff, at most 8) or one of " + listed(names));
+}
+
+void read_output(Options& o, const std::string& value) {
+  if (value.empty()) refuse_value("-o", value, "a file name, or - for standard output");
+  o.output = value;
+}
+
+constexpr const char* kViews = "colour|field|cells|height|normal";
+
+const Option kOptions[] = {
+    {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
+    {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
+     read_size},
+    {"--seed", "N", in_grow | in_sheet, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
+     [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
+    {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
+     [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
+    {"-o", "FILE", in_grow | in_sheet, "file to write; its suffix picks the format; - is standard output", read_output},
+    {"--format", "FORMAT", in_grow | in_sheet,
+     "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",
+     [](Options& o, const std::string& v) { o.format = static_cast<Format>(choice("--format", v, kFormats)); }},
+    {"--view", "VIEW", in_grow | in_sheet, "colour, field, cells, height, normal (colour)",
+     [](Options& o, const std::string& v) { o.view = static_cast<dapple::View>(choice("--view", v, kViews)); }},
+    {"--pixels", "FORMAT", in_grow | in_sheet,
+     "for raw and c: l8, rgb888, rgba8888, rgb565, rgb565_swapped, l1_msb, l1_lsb,\n"
+     "l1_pages (rgba8888); for png the first three, for qoi two of them (rgb888)",
+     [](Options& o, const std::string& v) { o.pixels = static_cast<dapple::Pixels>(choice("--pixels", v, kPixels)); }},
+    {"--ramp", "NAME|STOPS", in_grow, "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
+    {"--dither", nullptr, in_grow | in_sheet, "ordered dither, for pixels of less than eight bits a channel",
+     [](Options& o, const std::string&) { o.dither = true; }},
+    {"--flip-y", nullptr, in_grow | in_sheet, "normal maps whose green points down",
+     [](Options& o, const std::string&) { o.flip_y = true; }},
+    {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
+    {"--budget", "ROWS", in_grow, "rows of work at once; never changes the bytes",
+     [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
+    {"--threads", "N", in_grow | in_info, "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
+     [](Options& o, const std::string& v) {
+       o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
+     }},
+    {"--kernels", "KERNELS", in_grow, "portable, best; never changes the bytes (best)",
+     [](Options&, const std::string& v) { choice("--kernels", v, "portable|best"); }},
+    {"--hash", nullptr, in_grow, "print the hash of the field, 16 hexadecimal digits, and write nothing",
+     [](Options& o, const std::string&) { o.hash = true; }},
+};
+
+const Option& option_named(Command command, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Option& option : kOptions) {
+    if ((option.commands & command) == 0) continue;
+    if (name == option.name) return option;
+    names.push_back(option.name);
+  }
+  refuse("unknown option " + shown(name) + "; there is " + listed(names) + ", --help");
+}
+
+// "key=value", perhaps more of them behind it.
+bool is_change(const std::string& word) {
+  const auto key = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; };
+  const auto mark = std::find_if_not(word.begin(), word.end(), key);
+  return mark != word.end() && *mark == '=';
+}
+
+void read_plain_word(Command command, const std::string& word, Options& options) {
+  const bool subject = (command & (in_grow | in_info)) != 0;
+  if (subject && options.subject.empty() && !is_change(word)) {
+    if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
+    options.subject = word;
+  } else if (subject && is_change(word)) {
+    options.changes.push_back(word);
+  } else {
+    refuse("unexpected argument " + shown(word) + (subject ? "; after the preset come options and key=value" : ""));
+  }
+}
+
+}  // namespace
+
+void read_options(Command command, const std::vector<std::string>& words, Options& options) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (words[i].size() < 2 || words[i][0] != '-') {
+      read_plain_word(command, words[i], options);
+      continue;
+    }
+    const Option& option = option_named(command, words[i]);
+    if (option.value != nullptr && ++i == words.size())
+      refuse(std::string(option.name) + " needs a value: " + option.value);
+    option.read(options, option.value != nullptr ? words[i] : "");
+  }
+  if ((command & (in_grow | in_info)) != 0 && options.subject.empty())
+    refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
+  if (options.flip_y && options.view != dapple::View::normal) refuse("--flip-y is for --view normal only");
+}
+
+std::string options_help(Command command) {
+  constexpr size_t kColumn = 22;
+  std::string text;
+  for (const Option& option : kOptions) {
+    if ((option.commands & command) == 0) continue;
+    std::string left = std::string("  ") + option.name + (option.value != nullptr ? " " : "");
+    left += option.value != nullptr ? option.value : "";
+    left.resize(std::max(kColumn, left.size() + 2), ' ');
+    for (const char* c = option.help; *c != 0; ++c)
+      left += *c == '\n' ? "\n" + std::string(kColumn, ' ') : std::string(1, *c);
+    text += left + "\n";
+  }
+  return text + "  --help              this text\n";
+}
+
+std::string size_text(uint32_t width, uint32_t height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+static Format format_asked_for(const Options& options) {
+  if (options.format) return *options.format;
+  Format format = Format::png;
+  if (options.output.empty() || options.output == "-" || format_of(options.output, format)) return format;
+  refuse("-o " + shown(options.output) +
+         ": its suffix names no format; give .png, .pgm, .ppm, .pbm, .qoi, .raw, .h or .c, " + "or --format");
+}
+
+// Grey views need no colours.
+static dapple::Pixels usual_pixels(const Options& options, Format format) {
+  const bool coloured = options.view == dapple::View::colour || options.view == dapple::View::normal;
+  const bool png = format == Format::png || format == Format::png_own;
+  return png && !coloured ? dapple::Pixels::l8 : pixels_of(format).front();
+}
+
+Target target_of(const Options& options, const std::string& name) {
+  const Format format = format_asked_for(options);
+  const dapple::Pixels pixels = options.pixels.value_or(usual_pixels(options, format));
+  const std::vector<dapple::Pixels> allowed = pixels_of(format);
+  if (std::find(allowed.begin(), allowed.end(), pixels) == allowed.end()) {
+    std::vector<std::string> names;
+    for (const dapple::Pixels p : allowed) names.push_back(name_of(p));
+    refuse("--pixels " + name_of(pixels) + ": a " + name_of(format) + " file holds " + listed(names));
+  }
+  return {options.output.empty() ? name + suffix_of(format) : options.output, format, pixels};
+}
+
+}  // namespace cli

@@ -1,0 +1,47 @@
+// What a command line says.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image.hpp"
+
+namespace cli {
+
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8 };
+
+struct Options {
+  std::string subject;               // NAME or RECIPE
+  std::vector<std::string> changes;  // key=value
+  uint16_t width = 256, height = 256;
+  uint32_t seed = 1337;
+  std::optional<uint32_t> steps;
+  std::string output;  // empty: after the subject
+  std::optional<Format> format;
+  dapple::View view = dapple::View::colour;
+  std::optional<dapple::Pixels> pixels;
+  std::optional<dapple::Ramp> ramp;
+  uint16_t across = 1, down = 1;  // how often the tile is repeated
+  uint32_t budget = 1024;         // rows
+  uint8_t bands = 1;
+  bool dither = false, flip_y = false, hash = false, json = false;
+};
+
+// Reads the words behind the command's name into `options`, which hold the command's defaults.
+void read_options(Command command, const std::vector<std::string>& words, Options& options);
+
+// The options of a command, one line each.
+std::string options_help(Command command);
+
+std::string size_text(uint32_t width, uint32_t height);
+
+// The file format and the pixel format the options ask for, and the file they go to.
+struct Target {
+  std::string path;
+  Format format;
+  dapple::Pixels pixels;
+};
+Target target_of(const Options& options, const std::string& name);
+
+}  // namespace cli

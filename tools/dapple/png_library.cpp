@@ -1,0 +1,42 @@
+// PNG files by libpng, which packs them well.
+// SPDX-License-Identifier: MIT
+#include <png.h>
+
+#include "errors.hpp"
+#include "image.hpp"
+
+namespace cli {
+
+static void write_bytes(png_structp png, png_bytep bytes, size_t count) {
+  static_cast<Output*>(png_get_io_ptr(png))->write(bytes, count);
+}
+
+static void flush_nothing(png_structp) {}
+
+static int colour_type(dapple::Pixels pixels) {
+  if (pixels == dapple::Pixels::l8) return PNG_COLOR_TYPE_GRAY;
+  return pixels == dapple::Pixels::rgba8888 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+}
+
+// libpng jumps out of a failing call: nothing here may need a destructor.
+static bool write_all(png_structp png, png_infop info, Lines& lines, Output& out) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_write_fn(png, &out, write_bytes, flush_nothing);
+  png_set_user_limits(png, 65535, 65535);
+  png_set_IHDR(png, info, lines.width(), lines.height(), 8, colour_type(lines.pixels()), PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  for (uint32_t i = lines.count(); i > 0; --i) png_write_row(png, lines.next());
+  png_write_end(png, nullptr);
+  return true;
+}
+
+void write_png_library(Lines& lines, Output& out) {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  const bool good = info != nullptr && write_all(png, info, lines, out);
+  png_destroy_write_struct(&png, &info);
+  if (!good) fail("libpng cannot write the picture");
+}
+
+}  // namespace cli

@@ -1,0 +1,53 @@
+// Textures with their memory, and the progress of growing them.
+// SPDX-License-Identifier: MIT
+#include "tile.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <new>
+
+#include "errors.hpp"
+
+namespace cli {
+
+using std::chrono::steady_clock;
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), next_(steady_clock::now() + std::chrono::seconds(2)) {}
+
+Progress::~Progress() {
+  if (length_ > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(length_), "");
+}
+
+void Progress::show(const std::string& name, uint64_t done, uint64_t all) {
+  if (!terminal_ || steady_clock::now() < next_) return;
+  next_ = steady_clock::now() + std::chrono::milliseconds(200);
+  std::string line = "growing " + name + ": " + std::to_string(all == 0 ? 100 : done * 100 / all) + " %";
+  line.resize(std::max(line.size(), length_), ' ');
+  length_ = line.size();
+  std::fprintf(stderr, "\r%s", line.c_str());
+  std::fflush(stderr);
+}
+
+Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands)
+    : name_(subject.name), recipe_(subject.recipe) {
+  const dapple::Need need = need_of(subject, domain, bands);
+  memory_.reset(new (std::nothrow) uint8_t[need.bytes]);
+  if (memory_ == nullptr) fail("not enough memory: " + name_ + " needs " + std::to_string(need.bytes) + " bytes");
+  dapple::Options options;
+  options.bands = bands;
+  texture_.begin(recipe_, domain, seed, memory_.get(), need.bytes, options);  // need_of has checked everything
+}
+
+void Tile::grow(uint32_t budget, Progress& progress) {
+  while (texture_.step(budget) == dapple::more) progress.show(name_, texture_.rows_done(), texture_.rows_in_all());
+}
+
+void Tile::grow_steps(uint32_t steps, Progress& progress) {
+  const dapple::Stage& first = recipe_.stage[0];
+  texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (texture_.domain().height >> first.level));
+  while (texture_.steps_done() < steps && texture_.step(1) == dapple::more)
+    progress.show(name_, texture_.steps_done(), steps);
+}
+
+}  // namespace cli
