@@ -4,7 +4,7 @@
 
 namespace dapple {
 
-constexpr uint32_t kNone = UINT32_MAX;
+constexpr int32_t kNone = INT32_MAX;
 
 Status Texture::begin(const Preset& preset, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
                       const Options& options, Need* need) {
@@ -28,44 +28,59 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   recipe_ = stored;
   rom_ = rom;
   paint_ = nullptr;
+  domain_ = domain;
   field_ = aligned + parts.planes + parts.scratch + parts.table + parts.bands;
-  work_ = field_ + 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1);
-  rows_seen_ = 0;
-  for (uint32_t& held : held_rows_) held = kNone;
+  rows_seen_ = UINT64_MAX;
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
-  rows_in_all_ = evolve::work_rows(plan, domain);
-  Domain rolled = domain;
-  rolled.x = static_cast<uint16_t>(domain.x % domain.width);
-  rolled.y = static_cast<uint16_t>(domain.y % domain.height);
-  evolve::begin(run_, plan, rolled, seed, options.kernels, options.bands, parts, aligned);
+  const grid::Ground ground = api::ground_of(domain, wanted);
+  rows_in_all_ = wanted.rows;
+  const Domain grown = api::with_edge(domain);
+  work_ = field_ + 3 * grid::scratch_bytes(grid::Cell::int16, grown.width, 1);
+  evolve::begin(run_, plan, grown, ground, seed, options.kernels, options.bands, parts, aligned);
   return ok;
 }
 
 Status Texture::step(uint32_t rows) { return evolve::advance(run_, rows) ? more : done; }
 
-void Texture::row(uint16_t y, int16_t* out) { evolve::field_row(run_, y, out, work_); }
-
-// Field row y with its halo. Rows are kept while nothing has moved, so that painting down a tile makes each row once; the
-// slot given up holds none of the rows around `centre`.
-int16_t* Texture::field_row(uint16_t y, uint16_t centre) {
-  if (rows_seen_ != run_.rows)
-    for (uint32_t& held : held_rows_) held = kNone;
+// Forgets the rows at hand if anything has moved since they were made.
+void Texture::look_again() {
+  if (rows_seen_ == run_.rows) return;
   rows_seen_ = run_.rows;
+  for (int32_t& held : held_rows_) held = kNone;
+  evolve::forget_rows(run_, work_);
+}
+
+void Texture::row(uint16_t y, int16_t* out) {
+  look_again();
+  if (!domain_.plane) return evolve::field_row(run_, y, out, work_);
+  const int16_t* row = field_row(y, y);
+  for (uint16_t x = 0; x < domain_.width; ++x) out[x] = row[x];
+}
+
+// Field row y with its halo, y from -1 to height. Rows are kept while nothing has moved, so that painting down a tile
+// makes each row once; the slot given up holds none of the rows around `centre`.
+int16_t* Texture::field_row(int32_t y, int32_t centre) {
+  look_again();
+  const int32_t height = domain_.height;
+  const auto folded = [&](int32_t row) { return domain_.plane ? row : (row + height) % height; };
+  const int32_t wanted = folded(y);
   uint8_t slot = 0;
-  while (slot < 3 && held_rows_[slot] != y) ++slot;
+  while (slot < 3 && held_rows_[slot] != wanted) ++slot;
   const bool held = slot < 3;
-  const uint16_t height = run_.domain.height;
-  const auto around = [&](uint32_t row) {
-    return row == centre || row == (centre + 1u) % height || row == (centre + height - 1u) % height;
-  };
+  const auto around = [&](int32_t row) { return row == centre || row == folded(centre + 1) || row == folded(centre - 1); };
   for (uint8_t i = 0; i < 3 && slot == 3; ++i)
     if (held_rows_[i] == kNone || !around(held_rows_[i])) slot = i;
-  int16_t* const row = reinterpret_cast<int16_t*>(field_ + slot * grid::scratch_bytes(grid::Cell::int16, run_.domain.width, 1) +
+  const uint16_t width = run_.domain.width;
+  int16_t* const row = reinterpret_cast<int16_t*>(field_ + slot * grid::scratch_bytes(grid::Cell::int16, width, 1) +
                                                   grid::halo_bytes(grid::Cell::int16, 1));
   if (held) return row;
-  evolve::field_row(run_, y, row, work_);
-  grid::wrap_row(grid::Cell::int16, row, run_.domain.width, 1);
-  held_rows_[slot] = y;
+  if (domain_.plane) {
+    evolve::field_row(run_, static_cast<uint16_t>(wanted + 1), row - 1, work_);
+  } else {
+    evolve::field_row(run_, static_cast<uint16_t>(wanted), row, work_);
+    grid::wrap_row(grid::Cell::int16, row, width, 1);
+  }
+  held_rows_[slot] = wanted;
   return row;
 }
 
@@ -78,13 +93,14 @@ void Texture::paint(uint16_t y, Pixels format, void* out) {
 void Texture::paint(uint16_t y, const Brush& brush, void* out) {
   const Paint paint = paint_ != nullptr ? *paint_ : rom_ ? base::rom_load(&recipe_->paint) : recipe_->paint;
   const paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
-  const uint16_t height = run_.domain.height;
   paint::Source source;
-  source.width = run_.domain.width;
+  source.width = domain_.width;
   source.y = y;
-  source.above = field_row(static_cast<uint16_t>(y == 0 ? height - 1 : y - 1), y);
+  source.world_x = domain_.plane ? domain_.x : 0;
+  source.world_y = domain_.plane ? domain_.y + y : y;
+  source.above = field_row(y - 1, y);
   source.here = field_row(y, y);
-  source.below = field_row(static_cast<uint16_t>(y + 1 == height ? 0 : y + 1), y);
+  source.below = field_row(y + 1, y);
   paint::paint_row(shader, brush, source, static_cast<uint8_t*>(out));
 }
 

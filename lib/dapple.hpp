@@ -7,10 +7,13 @@
 //   while (tile.step(8) == dapple::more) watchdog();
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
+// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height).
+//
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "evolve/field.hpp"
 #include "recipe/presets.hpp"
 
 namespace dapple {
@@ -33,10 +36,19 @@ struct Need {
   uint16_t width, height;  // the smallest sides the pattern fits
   uint16_t multiple;       // sides must be multiples of this
   uint16_t reach;          // largest distance, in cells, of two cells that meet in one sweep
+  uint32_t halo;           // cells grown around a window of the plane on every side; at most kWidestHalo
   uint64_t sweeps;         // over the grid, in all
+  uint64_t rows;           // of work in all: what step counts
 };
 
+constexpr uint16_t kWidestHalo = 1024;
+
 namespace api {
+
+// A window is grown with one more cell on every side, so that light falls across its edges as if there were none.
+constexpr Domain with_edge(const Domain& d) {
+  return d.plane ? window(d.x - 1, d.y - 1, static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2)) : d;
+}
 
 constexpr uint16_t side(int64_t micro) {
   const int64_t cells = (micro + base::kMicro - 1) / base::kMicro;
@@ -47,7 +59,8 @@ constexpr uint16_t side(int64_t micro) {
 constexpr void smallest(const Recipe& recipe, Need& need) {
   int64_t wide = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
-    const int64_t length = 2 * static_cast<int64_t>(recipe.stage[i].model->wavelength(recipe.stage[i].number));
+    const Stage& s = recipe.stage[i];
+    const int64_t length = (2 * static_cast<int64_t>(s.model->wavelength(s.number))) << (s.model->coarse ? s.level : 0);
     wide = length > wide ? length : wide;
   }
   int64_t high = wide;
@@ -75,7 +88,29 @@ constexpr bool good_stages(const Recipe& recipe) {
     if (s.entry == Entry::carry && s.level != before.level) return false;
     if (s.entry == Entry::refine && (s.level + 1 != before.level || s.model->cell == grid::Cell::bit)) return false;
   }
-  return recipe.stage[recipe.stages - 1].level == 0;
+  const Stage& last = recipe.stage[recipe.stages - 1];
+  return last.level == 0 || last.model->coarse;
+}
+
+// How far a window's surroundings reach into it over the whole recipe, in cells of the finest grid.
+constexpr uint32_t halo_of(const Recipe& recipe) {
+  uint64_t halo = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    halo += (static_cast<uint64_t>(s.steps) * reach.spread) << s.level;
+    if (s.entry == Entry::refine) halo += 2u << s.level;
+    if (i + 1 == recipe.stages) halo += static_cast<uint32_t>(reach.field_radius + s.level + 1u) << s.level;
+  }
+  return halo > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(halo);
+}
+
+// A window, before and with its halo.
+constexpr Status check_window(const Domain& d, Need& need) {
+  if (need.halo > kWidestHalo) return halo_too_wide;
+  const int32_t room = kFarthest - 2 * kWidestHalo;
+  if (d.x < -room || d.y < -room || d.x > room - d.width || d.y > room - d.height) return too_far;
+  return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
@@ -84,28 +119,43 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
   smallest(recipe, need);
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
+  if (domain.plane) {
+    need.halo = halo_of(recipe);
+    return check_window(domain, need);
+  }
   if (domain.width % need.multiple != 0 || domain.height % need.multiple != 0) return not_a_multiple;
   if (domain.width < need.width || domain.height < need.height) return tile_too_small;
   return ok;
 }
 
-constexpr evolve::Parts parts_of(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
+constexpr grid::Ground ground_of(const Domain& domain, const Need& need) {
+  return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.multiple);
+}
+
+constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& ground, bool plane, uint8_t bands, Need& need) {
+  uint32_t spent = 0;
   evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    evolve::add_stage(parts, s, *s.model, *s.solver, domain, bands);
+    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands);
     const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
+    need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
     need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps;
   }
   return parts;
 }
 
-// Three rows of the field with a halo of one, and the model's work rows.
-constexpr size_t paint_bytes(const Recipe& recipe, uint16_t width) {
-  return 3 * grid::scratch_bytes(grid::Cell::int16, width, 1) +
-         recipe.stage[0].model->work_rows * grid::row_bytes(grid::Cell::int16, width);
+// Three rows of the field with a halo of one, and what it takes to make one: the most of any stage.
+constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const grid::Ground& ground) {
+  size_t most = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level), ground, domain.width, s.level);
+    most = bytes > most ? bytes : most;
+  }
+  return 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1) + most;
 }
 
 constexpr size_t kSlack = 3;  // to align the memory to four bytes
@@ -114,10 +164,11 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
   Need need{};
   need.status = check(recipe, domain, bands, need);
   if (need.status != ok) return need;
-  parts = parts_of(recipe, domain, bands, need);
+  const grid::Ground ground = ground_of(domain, need);
+  parts = parts_of(recipe, ground, domain.plane, bands, need);
   need.planes = parts.planes;
   need.scratch = parts.scratch;
-  need.paint = paint_bytes(recipe, domain.width);
+  need.paint = paint_bytes(recipe, with_edge(domain), ground);
   need.rest = parts.table + parts.bands + kSlack;
   size_t total = 0;
   const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
@@ -181,20 +232,22 @@ class Texture {
   // Instead of the recipe's paint; null: the recipe's again. It must outlive its use.
   void repaint(const Paint* paint) { paint_ = paint; }
 
-  const Domain& domain() const { return run_.domain; }
+  const Domain& domain() const { return domain_; }
 
  private:
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
-  int16_t* field_row(uint16_t y, uint16_t centre);
+  void look_again();
+  int16_t* field_row(int32_t y, int32_t centre);
 
   evolve::Run run_;
+  Domain domain_;
   const Recipe* recipe_;
   const Paint* paint_;
   uint8_t* field_;          // three rows with a halo of one
   uint8_t* work_;
   uint64_t rows_in_all_;
-  uint32_t held_rows_[3];   // which row a slot holds, as of rows_seen_
+  int32_t held_rows_[3];    // which row a slot holds, as of rows_seen_
   uint64_t rows_seen_;
   bool rom_;
 };

@@ -87,7 +87,8 @@ double buckets(Generator g) {
   return worst;
 }
 
-// Runs of equal values of one bit (31, 16, 0) along rows and columns: a run has length n with probability 2^-n.
+// Runs of equal values of one bit (31, 16, 0) along rows and columns: a run has length n with probability 2^-n, all
+// lengths from 12 on counted together (about 128 of them).
 double runs(Generator g) {
   double worst = 0;
   for (const int bit : {31, 16, 0})
@@ -147,9 +148,6 @@ double streams(Generator g) {
       larger(worst, correlation(g, [=](int32_t x, int32_t y) { return g(5, 2, y, x + 2048); }));  // across the diagonal
   return worst;
 }
-}  // namespace
-
-namespace {
 
 // Flipping any bit of an argument flips every bit of the result in half of the cases: 16 bits of x and y, 32 of the
 // seed, 8 of the stream.
@@ -200,12 +198,13 @@ void add_power(Generator g, uint32_t seed, std::vector<double>& power) {
     }
 }
 
-// The mean of 256 exponential variables has the deviation 1/16 and is nearly normal (skewness 1/8).
+// The mean of 256 exponential variables has the deviation 1/16 and is nearly normal (skewness 1/8); at the four wave
+// numbers that are their own opposites it is sqrt(2) / 16.
 double spectrum(Generator g) {
   std::vector<double> power(kTile * kTile);
   for (uint32_t seed = 0; seed < 256; ++seed) add_power(g, seed, power);
   double worst = 0;
-  for (const double p : power) worst = larger(worst, (p / 256 - 1) * 16 * (p < 256 ? 1 : 0.8));
+  for (const double p : power) worst = larger(worst, (p / 256 - 1) * 16);
   return worst;
 }
 
@@ -235,4 +234,15 @@ TEST_CASE("hash: every statistic rejects the linear generator and one nearer to 
     CHECK(s.z(s.bad) > kBound);
     CHECK(s.z(linear) > kBound);
   }
+}
+
+// The values are part of what a seed means. These come from another program, after the definition in base/hash.hpp.
+TEST_CASE("hash: known values") {
+  CHECK(library(0, 0, 0, 0) == 0x24753dec);
+  CHECK(library(1, 0, 0, 0) == 0x6af8cff0);
+  CHECK(library(0, 1, 0, 0) == 0xa88c7e2f);
+  CHECK(library(0, 0, 1, 0) == 0xbf698a95);
+  CHECK(library(0, 0, 0, 1) == 0x5eb9f586);
+  CHECK(library(1337, 9, 255, 255) == 0x58377941);
+  CHECK(library(UINT32_MAX, 128, 65535, 65535) == 0x61a84a31);
 }

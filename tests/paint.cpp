@@ -21,7 +21,8 @@ std::vector<uint8_t> packed(const std::vector<uint8_t>& rgb, Pixels format, uint
   brush.dither = dither;
   const uint16_t width = static_cast<uint16_t>(rgb.size() / 3);
   std::vector<uint8_t> row(dapple::pixel_bytes(format, width), fill);
-  dapple::paint::pack(brush, rgb.data(), 0, y, static_cast<uint8_t>(width), row.data());
+  const dapple::paint::Source place = {nullptr, nullptr, nullptr, width, y, 0, y};
+  dapple::paint::pack(brush, place, rgb.data(), 0, static_cast<uint8_t>(width), row.data());
   return row;
 }
 
@@ -30,7 +31,7 @@ template <class F> std::vector<uint8_t> painted(F value, uint16_t width, const d
   std::vector<int16_t> rows[3];
   for (int k = 0; k < 3; ++k)
     for (int x = -1; x <= width; ++x) rows[k].push_back(static_cast<int16_t>(value(x, k - 1)));
-  const dapple::paint::Source source = {rows[0].data() + 1, rows[1].data() + 1, rows[2].data() + 1, width, 0};
+  const dapple::paint::Source source = {rows[0].data() + 1, rows[1].data() + 1, rows[2].data() + 1, width, 0, 0, 0};
   const dapple::paint::Shader shader = dapple::paint::shader_of(paint, brush, 8000, 0, 1);
   std::vector<uint8_t> row(dapple::pixel_bytes(brush.format, width));
   dapple::paint::paint_row(shader, brush, source, row.data());

@@ -38,7 +38,7 @@ struct Swept {
     field.row_bytes = grid::row_bytes(field.cell, field.width);
     field.plane_bytes = field.row_bytes * field.height;
     field.bands = bands;
-    const evolve::Reach reach{sweep.count, sweep.radius, sweep.halo, 0, 0, 0, 1, sweep.stride, 0};
+    const evolve::Reach reach{sweep.count, sweep.radius, sweep.halo, 0, 0, 0, 1, sweep.stride, 0, 0};
     REQUIRE(evolve::band_bytes(reach, field.cell, field.width, bands, field.band_bytes));
     planes.resize(field.plane_bytes * static_cast<size_t>(from.count) / 4);
     scratch.resize(field.band_bytes * bands / 4);
@@ -257,11 +257,15 @@ Planes naive_run(const Toy& t, const Path& path, tests::Size size, uint32_t seed
   for (int32_t i = 0; i < t.planes; ++i)
     for (int32_t y = 0; y < planes.height; ++y)
       for (int32_t x = 0; x < planes.width; ++x) {
+        if (t.model.cell == Cell::bit) {
+          planes.at(i, x, y) = (dapple::base::hash(seed, static_cast<uint32_t>(i), x >> 5, y) >> (x & 31)) & 1;
+          continue;
+        }
         const int64_t count = t.high - (t.low - i) + 1;
         const int32_t v =
             t.low - i +
             static_cast<int32_t>((dapple::base::hash(seed, static_cast<uint32_t>(i), x, y) >> 16) * count >> 16);
-        planes.at(i, x, y) = t.model.cell == Cell::bit ? v != 0 : v;
+        planes.at(i, x, y) = v;
       }
   uint32_t step = 0, steps = 0;
   for (const uint32_t s : path.steps) steps += s;
@@ -277,18 +281,19 @@ Planes naive_run(const Toy& t, const Path& path, tests::Size size, uint32_t seed
 Planes library_run(const Toy& t, const Path& path, tests::Size size, uint32_t seed, uint8_t bands, uint32_t budget) {
   const dapple::Recipe recipe = recipe_of(t, path);
   const dapple::Domain domain = dapple::torus(size.width, size.height);
+  const grid::Ground ground = {size.width, size.height, 0, 0};
   dapple::Need need{};
-  const evolve::Parts parts = dapple::api::parts_of(recipe, domain, bands, need);
+  const evolve::Parts parts = dapple::api::parts_of(recipe, ground, false, bands, need);
   std::vector<uint64_t> memory((parts.planes + parts.scratch + parts.table + parts.bands + 7) / 8);
   const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
   evolve::Run run;
-  evolve::begin(run, plan, domain, seed, nullptr, bands, parts, reinterpret_cast<uint8_t*>(memory.data()));
+  evolve::begin(run, plan, domain, ground, seed, nullptr, bands, parts, reinterpret_cast<uint8_t*>(memory.data()));
   uint64_t rows = 0;
   for (bool more = true; more; rows = run.rows) {
     more = evolve::advance(run, budget);
     CHECK_MESSAGE(run.rows - rows <= budget, "no call does more than it was asked for");
   }
-  CHECK(run.rows == evolve::work_rows(plan, domain));
+  CHECK(run.rows == need.rows);
   Planes result(t.model.cell, size.width, size.height, t.planes);
   for (int32_t i = 0; i < t.planes; ++i)
     for (uint16_t y = 0; y < size.height; ++y)

@@ -46,4 +46,31 @@ inline void copy_bytes(void* to, const void* from, size_t count) {
 #endif
 }
 
+// The machine's word: cells of one bit are worked on a word at a time.
+#if defined(__AVR__)
+using Word = uint8_t;
+#elif UINTPTR_MAX > 0xffffffffu || defined(__wasm__)
+using Word = uint64_t;
+#else
+using Word = uint32_t;
+#endif
+
+// load_word(p): bytes in memory order, the first the least significant; p of any alignment. store_word: the reverse.
+template <class W> inline W load_word(const uint8_t* from) {
+  W word = 0;
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  copy_bytes(&word, from, sizeof word);
+#else
+  for (uint8_t i = 0; i < sizeof word; ++i) word = static_cast<W>(word | (static_cast<W>(from[i]) << (8 * i)));
+#endif
+  return word;
+}
+template <class W> inline void store_word(uint8_t* to, W word) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  copy_bytes(to, &word, sizeof word);
+#else
+  for (uint8_t i = 0; i < sizeof word; ++i) to[i] = static_cast<uint8_t>(word >> (8 * i));
+#endif
+}
+
 }  // namespace dapple::base

@@ -24,6 +24,8 @@ enum Status : int8_t {
   too_large = -14,      // the texture does not fit the address space
   too_little_memory = -15,
   bad_bands = -16,      // 0, or more than 64
+  too_far = -17,        // a window beyond 2^30 cells from the origin
+  halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
 };
 
 }  // namespace dapple

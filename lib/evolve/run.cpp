@@ -14,8 +14,8 @@ static Stage load_stage(const Plan& plan, uint8_t index) {
 static Start load_start(const Plan& plan) { return plan.rom ? rom_load(plan.start) : *plan.start; }
 
 static void set_level(Run& run, uint8_t level) {
-  run.field.width = at_level(run.domain.width, level);
-  run.field.height = at_level(run.domain.height, level);
+  run.field.width = at_level(run.ground.width, level);
+  run.field.height = at_level(run.ground.height, level);
   run.field.row_bytes = grid::row_bytes(run.field.cell, run.field.width);
 }
 
@@ -30,6 +30,10 @@ static void set_clock(Run& run) {
   }
 }
 
+static Context context_of(const Run& run) {
+  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed};
+}
+
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.
 static void open_stage(Run& run) {
   run.stage = load_stage(run.plan, run.index);
@@ -39,7 +43,9 @@ static void open_stage(Run& run) {
   run.cursor.sweep = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
+  run.field_radius = run.solver.field == nullptr ? 0 : run.solver.reach(run.model, run.stage.number, run.stage.level).field_radius;
   set_clock(run);
+  if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
   switch (run.stage.entry) {
     case Entry::start:
       set_level(run, run.stage.level);
@@ -54,17 +60,20 @@ static void open_stage(Run& run) {
   }
 }
 
-void begin(Run& run, const Plan& plan, const Domain& domain, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
+void begin(Run& run, const Plan& plan, const Domain& domain, const Ground& ground, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
            const Parts& parts, uint8_t* memory) {
   run.plan = plan;
   run.domain = domain;
+  run.ground = ground;
+  run.spent = 0;
   run.seed = seed;
   run.kernels = kernels;
   const Stage first = load_stage(plan, 0);
   const Model model = rom_load(first.model);
   run.field.planes = memory;
   run.field.cell = model.cell;
-  run.field.plane_bytes = grid::row_bytes(model.cell, domain.width) * domain.height;
+  const uint8_t finest = load_stage(plan, static_cast<uint8_t>(plan.stages - 1)).level;
+  run.field.plane_bytes = grid::row_bytes(model.cell, at_level(ground.width, finest)) * at_level(ground.height, finest);
   run.field.scratch = memory + parts.planes;
   run.field.band_bytes = parts.scratch / bands;
   run.field.bands = bands;
@@ -79,8 +88,8 @@ void begin(Run& run, const Plan& plan, const Domain& domain, uint32_t seed, cons
 static void start_one_row(Run& run) {
   const Start start = load_start(run.plan);
   const uint8_t level = run.stage.level;
-  const start::Place place = {run.field.cell,        run.field.width,       run.field.height, level,
-                              at_level(run.domain.x, level), at_level(run.domain.y, level), run.seed};
+  const start::Place place = {run.field.cell,      run.field.width,     run.field.height, level,
+                              run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed};
   const uint8_t planes = run.model.planes(run.stage.number);
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
   const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
@@ -102,6 +111,15 @@ static void refine_one_row(Run& run) {
   run.phase = Phase::sweeping;
 }
 
+// On the plane, what a sweep need not compute: the part of the halo that is used up once the step is done.
+static void set_margin(Run& run, bool first) {
+  run.sweep.margin = 0;
+  if (!run.domain.plane) return;
+  const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+  if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
+  if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
+}
+
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.
 static void open_sweep(Run& run) {
   if (run.step == run.stage.steps) {
@@ -111,9 +129,10 @@ static void open_sweep(Run& run) {
       open_stage(run);
     return;
   }
-  const Context context = {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level};
-  if (run.solver.next(context, run.cursor, run.sweep)) {
+  const bool first = run.cursor.sweep == 0;
+  if (run.solver.next(context_of(run), run.cursor, run.sweep)) {
     run.at_band = 0;
+    set_margin(run, first);
     begin_sweep(run.field, run.sweep, run.band);
     return;
   }
@@ -148,43 +167,6 @@ bool advance(Run& run, uint32_t rows) {
     run.rows += done;
   }
   return false;
-}
-
-uint64_t work_rows(const Plan& plan, const Domain& domain) {
-  uint64_t total = 0;
-  for (uint8_t i = 0; i < plan.stages; ++i) {
-    const Stage stage = load_stage(plan, i);
-    const Model model = rom_load(stage.model);
-    const Reach reach = rom_load(stage.solver).reach(model, stage.number, stage.level);
-    const uint16_t height = at_level(domain.height, stage.level);
-    const uint8_t planes = model.planes(stage.number);
-    if (stage.entry == Entry::start) total += static_cast<uint64_t>(planes) * height;
-    if (stage.entry == Entry::refine) total += height / 2;
-    total += static_cast<uint64_t>(stage.steps) * reach.sweeps * height;
-  }
-  return total;
-}
-
-void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
-  // While a stage refines, from the bottom up, the rows above still stand on the coarser grid.
-  uint8_t level = run.stage.level;
-  if (run.phase == Phase::refining && at_level(y, level) < 2 * static_cast<int32_t>(run.at_row)) ++level;
-  int32_t values[kMaxValues] = {};
-  run.model.values(run.stage.number, run.clock, values);
-  grid::Rows rows;
-  rows.p = values;
-  rows.table = run.table;
-  rows.part = nullptr;
-  rows.scratch = work;
-  rows.n = at_level(run.domain.width, level);
-  rows.planes = run.model.planes(run.stage.number);
-  const uint16_t row = at_level(y, level);
-  const size_t bytes = grid::row_bytes(run.field.cell, rows.n);
-  for (uint8_t i = 0; i < rows.planes; ++i) rows.in[i] = run.field.planes + i * run.field.plane_bytes + row * bytes;
-  rows.out[0] = out;
-  grid::choose(run.kernels, run.model.field)(rows);
-  if (level == 0) return;
-  for (uint16_t x = run.domain.width; x-- > 0;) out[x] = out[at_level(x, level)];
 }
 
 }  // namespace dapple::evolve

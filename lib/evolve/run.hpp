@@ -31,6 +31,8 @@ struct Stage {
 
 namespace dapple::evolve {
 
+using grid::Ground;
+
 // The stages of a recipe, in read-only memory (rom) or not.
 struct Plan {
   const Start* start;
@@ -48,6 +50,8 @@ struct Run {
   Solver solver;
   const grid::KernelSwap* kernels;
   Domain domain;
+  Ground ground;
+  uint16_t spent;   // cells of the halo, finest grid, that the sweeps so far have used up
   Field field;      // of the current level
   Band* band;
   int32_t* table;
@@ -60,6 +64,7 @@ struct Run {
   Phase phase;
   uint8_t index;    // of the stage
   uint8_t at_band, at_plane;
+  uint8_t field_radius;  // of the solver's field kernel; 0: the model's own
   uint16_t at_row;
 };
 
@@ -72,17 +77,18 @@ struct Parts {
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
 
 // Adds what a stage needs to the parts.
-constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Domain& d, uint8_t bands) {
+constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands) {
   const uint16_t width = at_level(d.width, stage.level);
   const Reach reach = solver.reach(model, stage.number, stage.level);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
+  const uint16_t height = at_level(d.height, stage.level);
   if (stage.entry == Entry::refine) {
     const size_t ring = 4 * model.planes(stage.number) * grid::scratch_bytes(model.cell, static_cast<uint16_t>(width / 2), 1);
     band = ring > band ? ring : band;
   }
   parts.fits = parts.fits && base::add_bytes(scratch, bands, band) &&
-               base::add_bytes(planes, d.height, grid::row_bytes(model.cell, d.width));
+               base::add_bytes(planes, height, grid::row_bytes(model.cell, width));
   size_t all = 0;
   parts.fits = parts.fits && base::add_bytes(all, model.planes(stage.number), planes);
   parts.planes = all > parts.planes ? all : parts.planes;
@@ -91,17 +97,27 @@ constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, c
   parts.table = table > parts.table ? table : parts.table;
 }
 
+// Steps of one sweep over neighbouring rows can leave out the part of the halo that is used up.
+constexpr bool leaves_margin(const Reach& reach) { return reach.sweeps == 1 && reach.radius > 0; }
+
+// Rows of work of a stage; `spent` is the part of the halo that the stages before have used up, and is moved on.
+constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach& reach, const Ground& ground, bool plane, uint32_t& spent) {
+  const uint16_t height = at_level(ground.height, stage.level);
+  uint64_t total = static_cast<uint64_t>(stage.steps) * reach.sweeps * height;
+  if (stage.entry == Entry::start) total += static_cast<uint64_t>(model.planes(stage.number)) * height;
+  if (stage.entry == Entry::refine) total += height / 2u;
+  for (uint32_t step = 0; plane && step < stage.steps; ++step) {
+    spent += static_cast<uint32_t>(reach.spread) << stage.level;
+    if (leaves_margin(reach)) total -= 2u * (spent >> stage.level);
+  }
+  return total;
+}
+
 // memory: parts.planes + scratch + table + bands bytes, aligned to 4. All arguments have been checked.
-void begin(Run& run, const Plan& plan, const Domain& domain, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
+void begin(Run& run, const Plan& plan, const Domain& domain, const Ground& ground, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
            const Parts& parts, uint8_t* memory);
 
 // At most `rows` rows of work; false when nothing is left to do.
 bool advance(Run& run, uint32_t rows);
-
-// Rows of work from begin to done, for progress and budgets.
-uint64_t work_rows(const Plan& plan, const Domain& domain);
-
-// The field of row y of the finest grid, as it stands. out: domain.width values; work: model.work_rows int16 rows.
-void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work);
 
 }  // namespace dapple::evolve

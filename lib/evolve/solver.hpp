@@ -2,6 +2,7 @@
 // (sweep.hpp) knows neither.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "../grid/domain.hpp"
 #include "../model/model.hpp"
 #include "../stencil/lattice.hpp"
 
@@ -17,6 +18,7 @@ struct Sweep {
   uint16_t stride;
   uint16_t halo;            // cells
   int32_t p[kMaxValues];    // handed to the kernel
+  uint16_t margin = 0;      // rows and cells at every edge of the grid that are left as they are (windows of the plane)
 };
 
 // Where a solver is within one time step. Plain state: it can be copied and resumed.
@@ -36,6 +38,9 @@ struct Context {
   int32_t* table;  // Reach::table numbers, kept while the stage lasts
   Clock clock;
   uint8_t level;
+  const grid::Ground* ground;
+  bool plane;
+  uint32_t seed;
 };
 
 // What a solver needs of the scratch memory.
@@ -46,24 +51,34 @@ struct Reach {
   uint8_t halo_rows;       // int16 work rows with halo
   uint16_t sweeps;         // per step, for information
   uint16_t stride;         // the largest distance of two rows or cells that meet in one sweep
-  uint8_t table;           // int32 numbers a solver keeps for its kernels (Rows::table)
+  uint16_t table;          // int32 numbers a solver keeps for its kernels (Rows::table)
+  uint16_t spread;         // how far, in cells of this grid, one step carries what a cell holds
+  uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
+  uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
 };
 
 struct Solver {
   Reach (*reach)(const Model& model, const int32_t* number, uint8_t level);
   // Fills `sweep` with the next sweep of this step; false when the step is complete. cursor.sweep == 0 begins a step.
   bool (*next)(const Context& context, Cursor& cursor, Sweep& sweep);
+  // Fills the table when a stage begins, if the solver has one.
+  void (*prepare)(const Context& context) = nullptr;
+  // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
+  // out[0] the field of the stage's grid, which is then enlarged bilinearly.
+  grid::RowKernel field = nullptr;
 };
 
 constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
 
 // --- gaussian: impulse splitting, eq. (12). One reaction, then the Gaussian of a whole macro step on every plane. ---
 constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level) {
-  Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0};
+  Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0, 0};
   for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
     const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));
+    uint16_t spread = 0;
     for (uint8_t i = 0; i < lattice.count; ++i) {
       const stencil::Direction& d = lattice.direction[i];
+      spread = static_cast<uint16_t>(spread + stencil::spread_of(d));
       const uint16_t stride = stencil::reach_of(d.share);
       const uint16_t across = static_cast<uint16_t>(stride * (d.vx < 0 ? -d.vx : d.vx));
       reach.halo = wider(reach.halo, across);
@@ -78,6 +93,7 @@ constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_
         while (stencil::next_pass(series, pass)) ++reach.sweeps;
       }
     }
+    reach.spread = wider(reach.spread, spread);
   }
   return reach;
 }
@@ -98,8 +114,8 @@ constexpr uint16_t euler_steps(const Model& model, const int32_t* number, uint8_
 }
 constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t level) {
   const uint8_t planes = model.planes(number);
-  return {planes, 1, 1, model.work_rows, planes, 0, euler_steps(model, number, level), 1,
-          static_cast<uint8_t>(3 * planes)};
+  const uint16_t steps = euler_steps(model, number, level);
+  return {planes, 1, 1, model.work_rows, planes, 0, steps, 1, static_cast<uint16_t>(3 * planes), steps};
 }
 bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next};
@@ -107,14 +123,14 @@ inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next};
 // --- kinetic: one explicit step of dt = 1 with the five-point stencil in int16. -------------------------------------
 constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t) {
   const uint8_t planes = model.planes(number);
-  return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint8_t>(3 * planes)};
+  return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------
 constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t) {
-  return {model.planes(number), model.radius, model.radius, model.work_rows, 0, 0, 1, model.radius, 0};
+  return {model.planes(number), model.radius, model.radius, model.work_rows, 0, 0, 1, model.radius, 0, model.radius};
 }
 bool direct_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver direct DAPPLE_ROM = {direct_reach, direct_next};

@@ -61,12 +61,22 @@ static void save_edges(const Field& field, const Sweep& sweep, const Windows& w,
   }
 }
 
+// The first position of band `index`; of one past the last: the end. A margin is left out, which only sweeps over
+// neighbouring rows have.
+static uint16_t first_of(const Field& field, const Sweep& sweep, uint8_t index) {
+  const uint32_t rows = static_cast<uint32_t>(field.height) - 2u * sweep.margin;
+  return static_cast<uint16_t>(sweep.margin + rows * index / field.bands);
+}
+
+// A single band inside a margin needs no saved rows: what lies before and behind it stays as it is.
+static bool open_ended(const Field& field, const Sweep& sweep) { return sweep.margin > 0 && field.bands == 1; }
+
 void begin_sweep(const Field& field, const Sweep& sweep, Band* bands) {
   const Order order = order_of(field, sweep);
   for (uint8_t b = 0; b < field.bands; ++b) {
     Band& band = bands[b];
-    band.next = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * b / field.bands);
-    band.end = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * (b + 1) / field.bands);
+    band.next = first_of(field, sweep, b);
+    band.end = first_of(field, sweep, static_cast<uint8_t>(b + 1));
     band.coset = static_cast<uint16_t>(band.next / order.length);
     band.index = static_cast<uint16_t>(band.next % order.length);
     band.y = row_at(order, field.height, band.coset, band.index);
@@ -86,7 +96,7 @@ static void open_coset(const Field& field, const Sweep& sweep, const Windows& w,
   const uint32_t whole = static_cast<uint32_t>(order.length) - band.index;
   band.stop = static_cast<uint16_t>(band.index + (left < whole ? left : whole));
   const uint8_t r = sweep.radius;
-  const bool part = band.index != 0 || band.stop != order.length;
+  const bool part = (band.index != 0 || band.stop != order.length) && !open_ended(field, sweep);
   const uint16_t edges = band.next == start ? head_slot(r) : tail_slot(r);
   for (uint16_t k = 0; k < 2 * r; ++k) {
     const int32_t at = static_cast<int32_t>(band.index) - r + k;
@@ -97,7 +107,7 @@ static void open_coset(const Field& field, const Sweep& sweep, const Windows& w,
     else
       save(field, sweep, w, k, row_at(order, field.height, band.coset, at));
   }
-  for (uint16_t k = 0; k < r; ++k) {
+  for (uint16_t k = 0; k < r && !open_ended(field, sweep); ++k) {
     const uint16_t to = static_cast<uint16_t>(first_slot(r) + k);
     if (part)
       copy_slots(field, sweep, w, to, static_cast<uint16_t>(edges + r + k));
@@ -105,13 +115,14 @@ static void open_coset(const Field& field, const Sweep& sweep, const Windows& w,
       save(field, sweep, w, to, row_at(order, field.height, band.coset, static_cast<int32_t>(k)));
   }
   band.slot = 0;
+  band.run = 0;
   band.open = true;
 }
 
 // The row r places ahead goes into `to`: from its plane, or from the saved rows past the end.
 static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, const Band& band, uint16_t to) {
   const uint32_t ahead = static_cast<uint32_t>(band.index) + sweep.radius;
-  if (ahead >= band.stop)
+  if (ahead >= band.stop && !open_ended(field, sweep))
     return copy_slots(field, sweep, w, to, static_cast<uint16_t>(first_slot(sweep.radius) + ahead - band.stop));
   uint32_t y = band.y + static_cast<uint32_t>(sweep.radius) * order.stride;
   while (y >= field.height) y -= field.height;
@@ -120,13 +131,16 @@ static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w,
 
 // The kernel's rows: in[plane * ring + k] is the old row k - r places away, out[plane] the plane's own row.
 static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, uint8_t ring, grid::Rows& rows) {
-  uint8_t* out = row_of(field, sweep.first, band.y);
+  const size_t skip = grid::cell_bytes(field.cell, rows.x);
+  uint8_t* out = row_of(field, sweep.first, band.y) + skip;
   for (uint8_t i = 0; i < sweep.count; ++i, out += field.plane_bytes) rows.out[i] = out;
+  rows.y = band.y;
+  rows.run = band.run;
   if (sweep.radius == 0) return;
   uint8_t* const end = w.base + ring * w.row;
   uint8_t* from = w.base + band.slot * w.row;
   for (uint8_t k = 0; k < ring; ++k) {
-    for (uint8_t i = 0; i < sweep.count; ++i) rows.in[i * ring + k] = from + i * w.plane;
+    for (uint8_t i = 0; i < sweep.count; ++i) rows.in[i * ring + k] = from + i * w.plane + skip;
     from += w.row;
     if (from == end) from = w.base;
   }
@@ -135,6 +149,7 @@ static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, c
 // Moves the band on by one position.
 static void move_on(const Order& order, uint16_t height, uint8_t ring, Band& band) {
   ++band.next;
+  ++band.run;
   band.slot = static_cast<uint8_t>(band.slot + 1 == ring ? 0 : band.slot + 1);
   const uint32_t y = static_cast<uint32_t>(band.y) + order.stride;
   band.y = static_cast<uint16_t>(y < height ? y : y - height);
@@ -150,6 +165,7 @@ static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows&
                           Band& band, uint32_t rows) {
   const uint32_t left = static_cast<uint32_t>(band.stop) - band.index;
   const uint32_t count = left - 1 < rows ? left - 1 : rows;
+  const size_t skip = grid::cell_bytes(field.cell, call.x);
   uint8_t* const plane = field.planes + sweep.first * field.plane_bytes;
   uint8_t* ring[3];
   for (uint8_t k = 0; k < 3; ++k) ring[k] = slot_of(w, 0, static_cast<uint16_t>((band.slot + k) % 3));
@@ -157,8 +173,10 @@ static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows&
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t ahead = y + order.stride < field.height ? y + order.stride : y + order.stride - field.height;
     grid::copy_row(field.cell, ring[2], plane + ahead * field.row_bytes, field.width, sweep.halo);
-    for (uint8_t k = 0; k < 3; ++k) call.in[k] = ring[k];
-    call.out[0] = plane + y * field.row_bytes;
+    for (uint8_t k = 0; k < 3; ++k) call.in[k] = ring[k] + skip;
+    call.out[0] = plane + y * field.row_bytes + skip;
+    call.y = static_cast<uint16_t>(y);
+    call.run = static_cast<uint16_t>(band.run + i);
     sweep.row(call);
     uint8_t* const oldest = ring[0];
     ring[0] = ring[1];
@@ -169,6 +187,7 @@ static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows&
   band.y = static_cast<uint16_t>(y);
   band.next = static_cast<uint16_t>(band.next + count);
   band.index = static_cast<uint16_t>(band.index + count);
+  band.run = static_cast<uint16_t>(band.run + count);
   band.slot = static_cast<uint8_t>((band.slot + count) % 3);
   return count;
 }
@@ -176,13 +195,14 @@ static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows&
 uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, uint8_t index, Band& band, uint32_t rows) {
   const Order order = order_of(field, sweep);
   const Windows w = windows_of(field, sweep, index);
-  const uint16_t start = static_cast<uint16_t>(static_cast<uint32_t>(field.height) * index / field.bands);
+  const uint16_t start = first_of(field, sweep, index);
   const uint8_t ring = static_cast<uint8_t>(2 * sweep.radius + 1);
   grid::Rows call;
   call.p = sweep.p;
   call.table = table;
   call.part = sweep.part;
-  call.n = field.width;
+  call.x = static_cast<uint16_t>(sweep.margin & ~31u);  // whole words; rows stay aligned
+  call.n = static_cast<uint16_t>(field.width - sweep.margin - call.x);
   call.planes = sweep.count;
   call.scratch = field.scratch + index * field.band_bytes + (sweep.radius == 0 ? 0 : w.plane * sweep.count);
   uint32_t done = 0;

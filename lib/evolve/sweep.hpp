@@ -32,6 +32,7 @@ struct Band {
   uint16_t coset, index;  // of position `next`; the row is (coset + index * stride) mod height
   uint16_t y;             // that row
   uint16_t stop;          // index at which this band's part of the coset ends
+  uint16_t run;           // rows done since the ring was filled
   uint8_t slot;           // ring slot of the oldest row
   bool open;              // the ring is filled for this coset
 };
@@ -49,7 +50,8 @@ constexpr bool band_bytes(const Reach& reach, grid::Cell cell, uint16_t width, u
       base::add_bytes(total, static_cast<size_t>(window_rows(reach.radius, bands)) * reach.planes, window) &&
       base::add_bytes(total, reach.halo_rows, grid::scratch_bytes(grid::Cell::int16, width, reach.halo)) &&
       base::add_bytes(total, reach.rows16, grid::row_bytes(grid::Cell::int16, width)) &&
-      base::add_bytes(total, reach.rows32, grid::row_bytes(grid::Cell::int32, width));
+      base::add_bytes(total, reach.rows32, grid::row_bytes(grid::Cell::int32, width)) &&
+      base::add_bytes(total, reach.bytes, static_cast<size_t>(width) + (reach.bytes > 0 ? 64 : 0));
   total = grid::align4(total);
   return fits;
 }

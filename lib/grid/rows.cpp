@@ -30,7 +30,26 @@ template <class T> static void wrap_cells(T* row, uint16_t width, uint16_t halo)
   }
 }
 
+// At most 8 cells at `at` >= 0 as the low bits of a byte. Reads one byte past the one that holds the last cell.
+static uint8_t bits_at(const uint8_t* row, int32_t at) {
+  const uint16_t pair = static_cast<uint16_t>(row[at >> 3] | (static_cast<uint16_t>(row[(at >> 3) + 1]) << 8));
+  return static_cast<uint8_t>(pair >> (at & 7));
+}
+
+// Up to eight cells either side of a row at least that wide: what masks and cell programs need.
+static void wrap_eight(uint8_t* row, uint16_t width, uint8_t halo) {
+  const uint8_t last = bits_at(row, static_cast<int32_t>(width) - 8);
+  const uint8_t first = row[0];
+  const uint8_t used = static_cast<uint8_t>(width & 7);
+  uint8_t* const end = row + (width >> 3);
+  end[0] = static_cast<uint8_t>((end[0] & ((1u << used) - 1u)) | (static_cast<uint16_t>(first) << used));
+  if (used + halo > 8) end[1] = static_cast<uint8_t>(first >> (8 - used));
+  row[-1] = last;
+}
+
 static void wrap_bits(uint8_t* row, uint16_t width, uint16_t halo) {
+  if (halo == 0) return;
+  if (halo <= 8 && width >= 8) return wrap_eight(row, width, static_cast<uint8_t>(halo));
   for (uint16_t i = 0; i < halo; ++i) {
     const int32_t right = static_cast<int32_t>(i) % width;
     put_bit(row, static_cast<int32_t>(width) + i, get_bit(row, right));

@@ -19,6 +19,11 @@ constexpr size_t row_bytes(Cell cell, uint16_t width) {
                            : align4(static_cast<size_t>(width) * (cell == Cell::int16 ? 2 : 4));
 }
 
+// Bytes of the first `count` cells of a row, a multiple of 32.
+constexpr size_t cell_bytes(Cell cell, uint16_t count) {
+  return cell == Cell::bit ? count / 8u : static_cast<size_t>(count) * (cell == Cell::int16 ? 2 : 4);
+}
+
 // Bytes before cell 0 of a scratch row whose halo has `halo` cells on either side.
 constexpr size_t halo_bytes(Cell cell, uint16_t halo) {
   return cell == Cell::bit ? align4((static_cast<size_t>(halo) + 7) / 8)
@@ -46,6 +51,8 @@ struct Rows {
   uint8_t* scratch;          // the solver's scratch memory
   uint16_t n;                // cells
   uint8_t planes;
+  uint16_t x, y;             // of the first cell in its grid
+  uint16_t run;              // rows this band has done without a break: 0 for the first row, or after a jump
 };
 
 inline const int16_t* in16(const Rows& r, uint8_t i) { return static_cast<const int16_t*>(r.in[i]); }

@@ -27,6 +27,6 @@ void react_row(const grid::Rows& rows) {
         static_cast<i16>(p[0]), static_cast<i16>(p[1]), static_cast<i16>(p[2]), static_cast<i16>(p[3]));
 }
 
-void field_row(const grid::Rows& rows) { grid::copy_bytes(rows.out[0], rows.in[1], static_cast<size_t>(rows.n) * 2); }
+void field_row(const grid::Rows& rows) { grid::copy_bytes(rows.out[0], grid::in16(rows, 1) + rows.x, static_cast<size_t>(rows.n) * 2); }
 
 }  // namespace dapple::gray_scott

@@ -30,7 +30,8 @@ struct Model {
   grid::RowKernel impulse;        // one macro step of reaction and decay; in place: out[plane]; scratch: work rows
   grid::RowKernel react;          // Euler: in[plane] sums of the stencil; in place: out[plane]; scratch: work rows
   grid::RowKernel window;         // a whole step: in[plane * (2 radius + 1) + k] rows y - radius + k; out[plane]
-  grid::RowKernel field;          // in[plane] rows; out[0] the int16 field that paint reads
+  grid::RowKernel field;          // in[plane] rows; out[0] the int16 field of n cells from x on
+  bool coarse = false;            // lengths are in cells of the stage's own grid, which may stay coarser than the picture
 };
 
 // One number of a recipe, for text, ranges and user interfaces. Values are in 1/kMicro, but for integer and word.
@@ -38,6 +39,7 @@ struct Number {
   enum Kind : uint8_t {
     decimal,   // one slot
     integer,   // one slot
+    program,   // one slot: any 32 bits; text: decimal or 0x...
     word,      // one slot: index into `words`, separated by '|'
     schedule,  // four slots: from value, to value, begin, end. text: A, or A:B@BEGIN..END (ramp), or A:B@BEGIN (step)
     angles,    // five slots: degrees, one per pair

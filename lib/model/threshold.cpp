@@ -107,7 +107,7 @@ void react_row(const grid::Rows& rows) {
 
 void field_row(const grid::Rows& rows) {
   const i16* plane[grid::kMaxPlanes];
-  for (uint8_t i = 0; i < rows.planes; ++i) plane[i] = in16(rows, i);
+  for (uint8_t i = 0; i < rows.planes; ++i) plane[i] = in16(rows, i) + rows.x;
   shade(plane, rows.p[0], rows.p[1], out16(rows, 0), reinterpret_cast<i16*>(rows.scratch), rows.n);
 }
 

@@ -5,7 +5,7 @@
 namespace dapple::paint {
 
 // Bayer's 8 x 8 threshold at (x, y), 0..63: the bits of x ^ y and y interleaved, highest first.
-static uint8_t bayer(uint16_t x, uint16_t y) {
+static uint8_t bayer(uint8_t x, uint8_t y) {
   const uint8_t m = static_cast<uint8_t>(x ^ y);
   return static_cast<uint8_t>(((m & 1) << 5) | ((y & 1) << 4) | ((m & 2) << 2) | ((y & 2) << 1) | ((m & 4) >> 1) | ((y & 4) >> 2));
 }
@@ -35,9 +35,9 @@ static void put_one(uint8_t* byte, uint8_t bit, bool on) {
   *byte = static_cast<uint8_t>(on ? *byte | mask : *byte & ~mask);
 }
 
-void pack(const Brush& brush, const uint8_t* rgb, uint16_t x, uint16_t y, uint8_t count, uint8_t* row) {
+void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t x, uint8_t count, uint8_t* row) {
   for (uint8_t i = 0; i < count; ++i, ++x, rgb += 3) {
-    const uint8_t threshold = bayer(x, y);
+    const uint8_t threshold = bayer(static_cast<uint8_t>((source.world_x + x) & 7), static_cast<uint8_t>(source.world_y & 7));
     switch (brush.format) {
       case Pixels::l8: row[x] = luminance(rgb); break;
       case Pixels::rgb888:
@@ -51,7 +51,7 @@ void pack(const Brush& brush, const uint8_t* rgb, uint16_t x, uint16_t y, uint8_
       case Pixels::rgb565_swapped: put_565(row + 2 * static_cast<size_t>(x), rgb, true, brush.dither, threshold); break;
       case Pixels::l1_msb: put_one(row + x / 8, 7 - x % 8, reduce(luminance(rgb), 1, brush.dither, threshold) != 0); break;
       case Pixels::l1_lsb: put_one(row + x / 8, x % 8, reduce(luminance(rgb), 1, brush.dither, threshold) != 0); break;
-      case Pixels::l1_pages: put_one(row + x, y % 8, reduce(luminance(rgb), 1, brush.dither, threshold) != 0); break;
+      case Pixels::l1_pages: put_one(row + x, source.y % 8, reduce(luminance(rgb), 1, brush.dither, threshold) != 0); break;
     }
   }
 }
@@ -63,7 +63,7 @@ void paint_row(const Shader& shader, const Brush& brush, const Source& source, u
     const uint32_t left = source.width - x;
     const uint8_t count = static_cast<uint8_t>(left < kBlock ? left : kBlock);
     shade(shader, source, static_cast<uint16_t>(x), count, rgb);
-    pack(brush, rgb, static_cast<uint16_t>(x), source.y, count, row);
+    pack(brush, source, rgb, static_cast<uint16_t>(x), count, row);
   }
 }
 

@@ -80,6 +80,7 @@ namespace dapple::paint {
 struct Source {
   const int16_t *above, *here, *below;
   uint16_t width, y;
+  int32_t world_x, world_y;  // of pixel (0, y), for grain and dither
 };
 
 // A Paint made ready for one field: everything that does not change from pixel to pixel.
@@ -101,8 +102,8 @@ Shader shader_of(const Paint& paint, const Brush& brush, int16_t unit, int16_t c
 // Paints pixels [x, x + count) into rgb[3 * count].
 void shade(const Shader& shader, const Source& source, uint16_t x, uint8_t count, uint8_t* rgb);
 
-// Packs rgb pixels at (x, y) into a row of the format.
-void pack(const Brush& brush, const uint8_t* rgb, uint16_t x, uint16_t y, uint8_t count, uint8_t* row);
+// Packs rgb pixels from x on into a row of the format.
+void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t x, uint8_t count, uint8_t* row);
 
 // A whole row.
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row);

@@ -105,7 +105,7 @@ static void normal(const Shader& s, const Source& f, uint16_t x, uint8_t* rgb) {
   rgb[2] = to_byte(128 + ((nz * 127) >> 8));
 }
 
-static void grain(const Shader& s, base::RowKey key, uint16_t x, uint8_t* rgb) {
+static void grain(const Shader& s, base::RowKey key, int32_t x, uint8_t* rgb) {
   const int32_t noise = static_cast<int32_t>(base::hash(key, x) >> 24) - 128;
   const int32_t bright = 256 + ((noise * s.grain) >> 7);
   for (uint8_t c = 0; c < 3; ++c) rgb[c] = to_byte((rgb[c] * bright) >> 8);
@@ -114,14 +114,14 @@ static void grain(const Shader& s, base::RowKey key, uint16_t x, uint8_t* rgb) {
 static void grey(uint8_t value, uint8_t* rgb) { rgb[0] = rgb[1] = rgb[2] = value; }
 
 void shade(const Shader& s, const Source& f, uint16_t x, uint8_t count, uint8_t* rgb) {
-  const base::RowKey key = base::row_key(s.seed, kGrainStream, f.y);
+  const base::RowKey key = base::row_key(s.seed, kGrainStream, f.world_y);
   for (uint8_t i = 0; i < count; ++i, ++x, rgb += 3) {
     const int16_t value = f.here[x];
     switch (s.view) {
       case View::colour:
         ramp_colour(s, place(s, value), rgb);
         if (s.slope != 0) light(s, f, x, rgb);
-        if (s.grain != 0) grain(s, key, x, rgb);
+        if (s.grain != 0) grain(s, key, f.world_x + x, rgb);
         break;
       case View::field:
       case View::height: grey(static_cast<uint8_t>((place(s, value) + 8) >> 4), rgb); break;

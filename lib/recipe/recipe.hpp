@@ -1,7 +1,9 @@
 // A recipe: start, stages, paint. And the families it can be made of; adding a model adds one line to `families`.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "../evolve/convolution.hpp"
 #include "../evolve/run.hpp"
+#include "../model/cells.hpp"
 #include "../model/gray_scott.hpp"
 #include "../model/threshold.hpp"
 #include "../paint/paint.hpp"
@@ -35,6 +37,7 @@ struct Family {
   uint32_t steps;
   Start start;
   int32_t low, high;
+  uint8_t level = 0;
 };
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
@@ -46,6 +49,12 @@ inline constexpr Family families[] = {
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000}, 0, 350000},
+    {"bits", &bits_model, bits::numbers, count_of(bits::numbers), "sliced|lean",
+     {&evolve::sliced, &evolve::lean}, 10,
+     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -950000, 950000, 1},
+    {"cells", &cells_model, cells::numbers, count_of(cells::numbers), "direct",
+     {&evolve::direct, nullptr}, 64,
+     {Start::noise, 32000000, 875000, 300000, 6400000, 1000000}, 0, 1000000},
 };
 
 }  // namespace dapple::recipe

@@ -104,6 +104,10 @@ constexpr bool number_in(Reader& r, Word text, const Number& n, int32_t* slot) {
       *slot = static_cast<int32_t>(whole);
       r.pairs_given = true;
       return true;
+    case Number::program:
+      if (!read_program(text, whole)) return fail(r, broken_text, text);
+      *slot = static_cast<int32_t>(whole);
+      return true;
     case Number::word: return word_in(r, text, n.words, *slot);
     case Number::schedule: return schedule_in(r, text, n, slot);
     case Number::angles: return angles_in(r, text, n, slot);
@@ -311,6 +315,7 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   stage.model = f.model;
   stage.solver = f.solvers[0];
   stage.steps = f.steps;
+  stage.level = f.level;
   uint8_t slot = 0;
   for (uint8_t i = 0; i < f.number_count; ++i) {
     const Number& n = f.numbers[i];

@@ -98,6 +98,18 @@ constexpr int8_t hex_digit(char c) {
   return static_cast<int8_t>(digit(c) ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1);
 }
 
+// 32 bits as decimal digits, or as 0x and up to eight hexadecimal ones.
+constexpr bool read_program(Word w, uint32_t& value) {
+  if (w.length < 3 || w.text[0] != '0' || w.text[1] != 'x') return read_integer(w, value);
+  if (w.length > 10) return false;
+  value = 0;
+  for (uint16_t i = 2; i < w.length; ++i) {
+    if (hex_digit(w.text[i]) < 0) return false;
+    value = value * 16 + static_cast<uint32_t>(hex_digit(w.text[i]));
+  }
+  return true;
+}
+
 // "rrggbb" to three bytes.
 constexpr bool read_colour(Word w, uint8_t* rgb) {
   if (w.length != 6) return false;

@@ -36,6 +36,11 @@ static void put_integer(Writer& w, uint32_t value) {
   while (n > 0) put(w, digits[--n]);
 }
 
+static void put_hex(Writer& w, uint32_t value) {
+  put(w, "0x");
+  for (int8_t shift = 28; shift >= 0; shift = static_cast<int8_t>(shift - 4)) put(w, "0123456789abcdef"[(value >> shift) & 15]);
+}
+
 static void put_decimal(Writer& w, int32_t micro) {
   if (micro < 0) put(w, '-');
   uint32_t value = micro < 0 ? 0u - static_cast<uint32_t>(micro) : static_cast<uint32_t>(micro);
@@ -82,6 +87,7 @@ static void put_number(Writer& w, const Number& n, const int32_t* slot, int32_t 
   switch (n.kind) {
     case Number::decimal: put_decimal(w, *slot); break;
     case Number::integer: put_integer(w, static_cast<uint32_t>(*slot)); break;
+    case Number::program: put_hex(w, static_cast<uint32_t>(*slot)); break;
     case Number::word: put_word(w, n.words, *slot); break;
     case Number::schedule: put_schedule(w, slot); break;
     case Number::angles:

@@ -5,21 +5,39 @@
 
 namespace dapple::start {
 
-static uint16_t roll(uint32_t at, uint16_t size) { return static_cast<uint16_t>(at % size); }
+// Cells [x, x + 32) of a row of the world, cell x in bit 0.
+static uint32_t thirty_two(const base::RowKey& key, int32_t x) {
+  const uint32_t first = base::hash(key, x >> 5);
+  const uint8_t shift = static_cast<uint8_t>(x & 31);
+  return shift == 0 ? first : (first >> shift) | (base::hash(key, (x >> 5) + 1) << (32 - shift));
+}
+
+// Rows of bits end at a multiple of 32 cells.
+static void noise_bits(const Place& place, const base::RowKey& key, uint8_t* row) {
+  for (uint32_t x = 0; x < place.width; x += 32) {
+    const int32_t at = world(place.x + static_cast<int32_t>(x), place.width, place.plane);
+    uint32_t bits = thirty_two(key, at);
+    const int32_t left = static_cast<int32_t>(place.width) - at;  // to the torus' edge
+    if (!place.plane && left < 32) bits = (bits & ((UINT32_C(1) << left) - 1)) | (thirty_two(key, 0) << left);
+    base::store_word(row + x / 8, bits);
+  }
+}
+
+template <class T> static void noise_cells(const Place& place, const base::RowKey& key, const Levels& levels, T* row) {
+  const uint32_t count = static_cast<uint32_t>(levels.high - levels.low) + 1;
+  int32_t at = world(place.x, place.width, place.plane);
+  for (uint16_t x = 0; x < place.width; ++x) {
+    row[x] = static_cast<T>(levels.low + static_cast<int32_t>(base::below(base::hash(key, at), count)));
+    if (++at == place.width && !place.plane) at = 0;
+  }
+}
 
 void noise_row(const Place& place, uint8_t plane, const Levels& levels, uint16_t y, void* row) {
-  const uint16_t world_y = roll(static_cast<uint32_t>(y) + place.roll_y, place.height);
-  const base::RowKey key = base::row_key(place.seed, plane, world_y);
-  const uint32_t count = static_cast<uint32_t>(levels.high - levels.low) + 1;
-  uint16_t world_x = roll(place.roll_x, place.width);
-  for (uint16_t x = 0; x < place.width; ++x) {
-    const int32_t value = levels.low + static_cast<int32_t>(base::below(base::hash(key, world_x), count));
-    switch (place.cell) {
-      case grid::Cell::bit: grid::put_bit(static_cast<uint8_t*>(row), x, value != 0); break;
-      case grid::Cell::int16: static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value); break;
-      case grid::Cell::int32: static_cast<int32_t*>(row)[x] = value; break;
-    }
-    if (++world_x == place.width) world_x = 0;
+  const base::RowKey key = base::row_key(place.seed, plane, world(place.y + y, place.height, place.plane));
+  switch (place.cell) {
+    case grid::Cell::bit: noise_bits(place, key, static_cast<uint8_t*>(row)); break;
+    case grid::Cell::int16: noise_cells(place, key, levels, static_cast<int16_t*>(row)); break;
+    case grid::Cell::int32: noise_cells(place, key, levels, static_cast<int32_t*>(row)); break;
   }
 }
 

@@ -1,4 +1,4 @@
-// Seed discs on a jittered diamond grid that closes on the torus: giraffe, reptile and the spots of the kinetics.
+// Seed discs on a jittered diamond grid that closes on the torus and goes on for ever on the plane.
 // SPDX-License-Identifier: MIT
 #include "../base/hash.hpp"
 #include "../base/math.hpp"
@@ -17,52 +17,71 @@ static void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
 }
 
 // U * jitter / 2 in units of 1/256 of a cell when `spacing` is (Q8): |result| <= jitter * spacing.
-static int32_t shake(uint32_t h, int32_t jitter, int64_t spacing) {
+static int64_t shake(uint32_t h, int32_t jitter, int64_t spacing) {
   const int64_t unit = static_cast<int64_t>(h >> 16) - 32768;  // U * 32768
-  return static_cast<int32_t>(((unit * jitter / base::kMicro) * spacing) >> 15);
+  return ((unit * jitter / base::kMicro) * spacing) >> 15;
 }
 
-static void fill_span(const Place& place, void* row, int32_t first, int32_t last, int32_t value) {
-  if (last - first >= place.width) last = first + place.width - 1;
+// Cells first..last of the world that lie in this row.
+static void fill_span(const Place& place, void* row, int64_t first, int64_t last, int32_t value) {
   const int32_t period = place.width;
-  for (int32_t x = first; x <= last; ++x) {
-    int32_t at = (x - place.roll_x) % period;
-    if (at < 0) at += period;
-    set_cell(place, row, static_cast<uint16_t>(at), value);
+  if (place.plane) {
+    first = first < place.x ? place.x : first;
+    last = last >= static_cast<int64_t>(place.x) + period ? static_cast<int64_t>(place.x) + period - 1 : last;
+  } else if (last - first >= period) {
+    last = first + period - 1;
   }
+  for (int64_t x = first; x <= last; ++x)
+    set_cell(place, row, static_cast<uint16_t>(world(static_cast<int32_t>(x - place.x), place.width, place.plane)), value);
 }
 
-// The part of the discs of grid row j, seen dy (Q8) above or below its centre line, that lies in this row of cells.
-static void disc_row(const Place& place, const Start& start, uint16_t j, int32_t y_q8, DiscGrid discs, int32_t value, void* row) {
+// floor(a / b), b > 0.
+static int64_t floor_divide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+// A disc of lattice place (i, j), seen in the row of cells whose centre line is y (1/256 cell).
+static void disc_row(const Place& place, const Start& start, const DiscGrid& discs, int32_t i, int32_t j, int64_t y, int32_t value, void* row) {
   const int64_t radius = (static_cast<int64_t>(start.radius) * 256 / base::kMicro) >> place.level;
-  const int64_t height_q8 = static_cast<int64_t>(place.height) << 8;
-  const base::RowKey key_x = base::row_key(place.seed, kJitterX, j), key_y = base::row_key(place.seed, kJitterY, j);
-  for (uint16_t i = 0; i < discs.columns; ++i) {
-    const int64_t space_y = height_q8 / discs.rows, space_x = (static_cast<int64_t>(place.width) << 8) / discs.columns;
-    const int64_t centre_y = (2 * static_cast<int64_t>(j) + 1) * height_q8 / (2 * discs.rows) +
-                             shake(base::hash(key_y, i), start.jitter, space_y);
-    int64_t dy = (y_q8 - centre_y) % height_q8;  // to the nearest image on the torus
-    if (dy < 0) dy += height_q8;
-    if (dy > height_q8 / 2) dy -= height_q8;
-    if (dy > radius || dy < -radius) continue;
-    const int64_t centre_x = (4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * (static_cast<int64_t>(place.width) << 8) /
-                                 (4 * discs.columns) +
-                             shake(base::hash(key_x, i), start.jitter, space_x);
-    const int64_t half = base::square_root64(static_cast<uint64_t>(radius * radius - dy * dy));
-    // Cell x has its centre at 256 x + 128: first = ceil, last = floor.
-    fill_span(place, row, static_cast<int32_t>((centre_x - half - 128 + 255) >> 8),
-              static_cast<int32_t>((centre_x + half - 128) >> 8), value);
+  const int64_t rows = place.plane ? 1 : discs.rows, columns = place.plane ? 1 : discs.columns;
+  const int64_t centre_y = floor_divide((2 * static_cast<int64_t>(j) + 1) * discs.high, 2 * rows) +
+                           shake(base::hash(place.seed, kJitterY, i, j), start.jitter, discs.high / rows);
+  int64_t dy = y - centre_y;
+  if (!place.plane) {  // to the nearest image on the torus
+    dy %= discs.high;
+    if (dy < 0) dy += discs.high;
+    if (dy > discs.high / 2) dy -= discs.high;
   }
+  if (dy > radius || dy < -radius) return;
+  const int64_t centre_x = floor_divide((4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * discs.wide, 4 * columns) +
+                           shake(base::hash(place.seed, kJitterX, i, j), start.jitter, discs.wide / columns);
+  const int64_t half = base::square_root64(static_cast<uint64_t>(radius * radius - dy * dy));
+  // Cell x has its centre at 256 x + 128: first = ceil, last = floor.
+  fill_span(place, row, (centre_x - half - 128 + 255) >> 8, (centre_x + half - 128) >> 8, value);
+}
+
+// The lattice places whose discs may reach the stretch from..to (1/256 cells) of the plane.
+struct Span {
+  int32_t first, last;
+};
+static Span near(int64_t from, int64_t to, int64_t spacing, int64_t radius, int32_t jitter) {
+  const int64_t around = radius + spacing * jitter / base::kMicro + spacing;
+  return {static_cast<int32_t>(floor_divide(from - around, spacing)), static_cast<int32_t>(floor_divide(to + around, spacing))};
 }
 
 void seeds_row(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row) {
   for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
-  const DiscGrid discs = disc_grid(start, place.width, place.height, place.level);
-  const int32_t y_q8 =
-      static_cast<int32_t>((static_cast<uint32_t>(y) + place.roll_y) % place.height) * 256 + 128;
+  const DiscGrid discs = disc_grid(start, place);
+  const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
   const int32_t value = levels.background + static_cast<int32_t>(base::divide_round(
       static_cast<int64_t>(levels.disc - levels.background) * start.amplitude, base::kMicro));
-  for (uint16_t j = 0; j < discs.rows; ++j) disc_row(place, start, j, y_q8, discs, value, row);
+  Span rows = {0, discs.rows - 1}, columns = {0, discs.columns - 1};
+  if (place.plane) {
+    const int64_t radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;
+    const int64_t left = static_cast<int64_t>(place.x) * 256;
+    rows = near(at, at, discs.high, radius, start.jitter);
+    columns = near(left, left + place.width * INT64_C(256), discs.wide, radius, start.jitter);
+  }
+  for (int32_t j = rows.first; j <= rows.last; ++j)
+    for (int32_t i = columns.first; i <= columns.last; ++i) disc_row(place, start, discs, i, j, at, value, row);
 }
 
 }  // namespace dapple::start

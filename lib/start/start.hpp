@@ -33,31 +33,46 @@ namespace dapple::start {
 
 using grid::Levels;
 
-// The grid of discs on a domain: columns = round(width / pitch), rows = the even number nearest to
-// height / (aspect * pitch); at least one column and two rows.
-struct DiscGrid {
-  uint16_t columns, rows;
-};
-constexpr DiscGrid disc_grid(const Start& s, uint16_t width, uint16_t height, uint8_t level) {
-  const int64_t pitch = s.pitch >> level;
-  const int64_t row_pitch = pitch * s.aspect / base::kMicro;
-  const int64_t columns = base::divide_round(static_cast<int64_t>(width) * base::kMicro, pitch > 0 ? pitch : 1);
-  const int64_t pairs = base::divide_round(static_cast<int64_t>(height) * base::kMicro, 2 * (row_pitch > 0 ? row_pitch : 1));
-  return {static_cast<uint16_t>(columns < 1 ? 1 : columns > 65535 ? 65535 : columns),
-          static_cast<uint16_t>(pairs < 1 ? 2 : pairs > 32767 ? 65534 : 2 * pairs)};
-}
-
-// One row of one plane, cells of `cell` kind; y in cells of the grid of this level (width x height).
-// Noise is hash(seed, plane, x, y). Discs have the centre
-//   ((i + 1/4 + 1/2 (j odd)) + jitter U) * width / columns,  ((j + 1/2) + jitter U') * height / rows,   U in [-1, 1),
-// and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
+// Where a grid of cells lies. On a torus (x, y) rolls it: its cell (0, 0) is the unrolled torus' cell (x, y), modulo the
+// size; on the plane (x, y) is the world's cell at (0, 0). All in cells of this level.
 struct Place {
   grid::Cell cell;
-  uint16_t width, height;  // of the grid of this level
+  uint16_t width, height;
   uint8_t level;
-  uint16_t roll_x, roll_y;  // cells of this level
+  int32_t x, y;
+  bool plane;
   uint32_t seed;
 };
+
+// A torus cell's coordinate in the unrolled torus, a plane's in the world.
+constexpr int32_t world(int32_t at, uint16_t size, bool plane) {
+  if (plane) return at;
+  const int32_t rest = at % size;
+  return rest < 0 ? rest + size : rest;
+}
+
+// The lattice of seed discs: spacing is numerator / denominator in 1/256 cells. On a torus columns = round(width / pitch)
+// and rows = the even number nearest to height / (aspect * pitch), at least one and two, fill it exactly; on the plane
+// (columns and rows 0) the spacing is the pitch itself, in whole 1/256 of a cell.
+struct DiscGrid {
+  uint16_t columns, rows;
+  int64_t wide, high;  // numerators of the spacing; the denominators are columns and rows, 1 on the plane
+};
+constexpr DiscGrid disc_grid(const Start& s, const Place& p) {
+  const int64_t pitch = s.pitch >> p.level;
+  const int64_t row_pitch = pitch * s.aspect / base::kMicro;
+  if (p.plane) return {0, 0, base::divide_round(pitch * 256, base::kMicro), base::divide_round(row_pitch * 256, base::kMicro)};
+  const int64_t columns = base::divide_round(static_cast<int64_t>(p.width) * base::kMicro, pitch > 0 ? pitch : 1);
+  const int64_t pairs = base::divide_round(static_cast<int64_t>(p.height) * base::kMicro, 2 * (row_pitch > 0 ? row_pitch : 1));
+  return {static_cast<uint16_t>(columns < 1 ? 1 : columns > 65535 ? 65535 : columns),
+          static_cast<uint16_t>(pairs < 1 ? 2 : pairs > 32767 ? 65534 : 2 * pairs),
+          static_cast<int64_t>(p.width) << 8, static_cast<int64_t>(p.height) << 8};
+}
+
+// One row of one plane; y in cells of the place. Noise is hash(seed, plane, x, y); of one-bit cells, bit x mod 32 of
+// hash(seed, plane, x div 32, y). Discs have the centre
+//   ((i + 1/4 + 1/2 (j odd)) + jitter U) * spacing,  ((j + 1/2) + jitter U') * spacing,   U in [-1, 1),
+// and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
 void noise_row(const Place& place, uint8_t plane, const Levels& levels, uint16_t y, void* row);
 void seeds_row(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row);
 

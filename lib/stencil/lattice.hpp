@@ -116,6 +116,16 @@ constexpr uint16_t reach_of(int32_t share) {
   return reach;
 }
 
+// How far, in rows or cells, all passes of a direction together carry a value.
+constexpr uint16_t spread_of(const Direction& d) {
+  PassSeries series = series_of(d.share, 0);
+  Pass pass{};
+  uint16_t sum = 0;
+  while (next_pass(series, pass)) sum = static_cast<uint16_t>(sum + pass.stride);
+  const int16_t across = static_cast<int16_t>(d.vx < 0 ? -d.vx : d.vx);
+  return static_cast<uint16_t>(sum * (across > d.vy ? across : d.vy));
+}
+
 // Kernel of one pass that leaves the row. in[0], in[1], in[2]: the plane's rows y - S, y, y + S with halo; out[0]: row y.
 // p: {shift = stride * vx (may be negative), weight, rounding}. Concentrations 0..16000: |d + r| <= 32512 fits int16, and
 // the result stays between the least and the greatest of the three cells (exhaustively tested).

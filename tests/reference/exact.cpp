@@ -44,7 +44,7 @@ void each_cell(Do act) {
 
 std::vector<Row> start_of(const dapple::Recipe& recipe, uint32_t seed) {
   const dapple::Stage& stage = recipe.stage[0];
-  const dapple::start::Place place = {dapple::grid::Cell::int16, kWidth, kHeight, 0, 0, 0, seed};
+  const dapple::start::Place place = {dapple::grid::Cell::int16, kWidth, kHeight, 0, 0, 0, false, seed};
   std::vector<Row> planes(stage.model->planes(stage.number), Row(kWidth * kHeight));
   for (uint8_t i = 0; i < planes.size(); ++i)
     for (uint16_t y = 0; y < kHeight; ++y) {

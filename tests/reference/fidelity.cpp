@@ -1,5 +1,5 @@
-// The threshold presets in integers against float64: the same passes without rounding, the true Gaussian, explicit
-// steps. SPDX-License-Identifier: MIT
+// The threshold presets in integers against float64: the same passes in exact arithmetic, the true Gaussian, Euler.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,6 @@ namespace {
 
 constexpr Grid kGrid = {256, 256};
 constexpr uint32_t kSeeds = 3;
-constexpr double kUnit = dapple::threshold::kUnit;
 
 // The library's tile against a float64 field; a cell is on above the final rho, in the library rounded to its units.
 Distance compare(const Named& preset, uint32_t seed, const Plane& want, const char* what) {
@@ -28,7 +27,7 @@ Distance compare(const Named& preset, uint32_t seed, const Plane& want, const ch
   const Distance d = distance(have, want, kGrid, level, reference::threshold_of(preset.recipe).rho[1]);
   const reference::Figures f = measure(have, kGrid, level);
   std::printf(
-      "%-8s %-13s seed %u  wavelength %5.2f %+6.2f %%  fill %.3f %+.4f  along %5.1f (%.2f) %4.2f deg  agreement %.4f\n",
+      "%-9s%-13s seed %u  wavelength %5.2f %+6.2f %%  fill %.3f %+.4f  along %5.1f (%.2f) %4.2f deg  agreement %.4f\n",
       what, preset.name.c_str(), seed, f.wavelength, 100 * d.wavelength, f.fill, d.fill, f.orientation, f.anisotropy,
       d.degrees, d.agreement);
   return d;
@@ -64,7 +63,7 @@ TEST_CASE("reference: the true Gaussian of eq. (12)") {
       wavelength += d.wavelength / kSeeds;
       fill += d.fill / kSeeds;
     }
-    std::printf("gaussian  %-13s mean    wavelength       %+6.2f %%  fill       %+.4f\n", preset.name.c_str(),
+    std::printf("gaussian %-13s mean    wavelength       %+6.2f %%  fill       %+.4f\n", preset.name.c_str(),
                 100 * wavelength, fill);
     INFO(preset.name);
     CHECK(std::fabs(wavelength) <= 0.025);

@@ -1,5 +1,5 @@
-// Planes held plainly, every cell an int32, and whole-plane versions of what the machinery does row by row and in
-// place. SPDX-License-Identifier: MIT
+// Planes held plainly, every cell an int32, and whole-plane versions of what the machinery does row by row in place.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
 #include <cstdlib>

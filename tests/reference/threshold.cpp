@@ -47,7 +47,7 @@ std::vector<Plane> start_of(const dapple::Recipe& recipe, const Grid& grid, uint
   const dapple::Model& model = *recipe.stage[0].model;
   const int32_t* number = recipe.stage[0].number;
   const uint16_t width = static_cast<uint16_t>(grid.width), height = static_cast<uint16_t>(grid.height);
-  const dapple::start::Place place = {dapple::grid::Cell::int16, width, height, 0, 0, 0, seed};
+  const dapple::start::Place place = {dapple::grid::Cell::int16, width, height, 0, 0, 0, false, seed};
   std::vector<int16_t> row(width);
   std::vector<Plane> planes(model.planes(number));
   for (uint8_t i = 0; i < planes.size(); ++i)

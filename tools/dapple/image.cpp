@@ -73,9 +73,10 @@ const uint8_t* Lines::next() {
   for (int rows = brush_.format == Pixels::l1_pages ? 8 : 1; rows > 0 && y_ < height(); --rows, ++y_) {
     const uint16_t y = static_cast<uint16_t>(y_);
     picture_.row(y, rgb_.data());
+    const dapple::paint::Source place{nullptr, nullptr, nullptr, picture_.width, y, 0, y};
     for (uint32_t x = 0; x < width(); x += kBlock) {
       const uint8_t count = static_cast<uint8_t>(std::min(kBlock, width() - x));
-      dapple::paint::pack(brush_, rgb_.data() + size_t{3} * x, static_cast<uint16_t>(x), y, count, line_.data());
+      dapple::paint::pack(brush_, place, rgb_.data() + size_t{3} * x, static_cast<uint16_t>(x), count, line_.data());
     }
   }
   return line_.data();

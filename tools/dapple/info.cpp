@@ -25,10 +25,6 @@ int32_t wavelength_of(const dapple::Recipe& recipe) {
   return longest;
 }
 
-uint64_t rows_of(const dapple::Recipe& recipe, dapple::Domain domain) {
-  return dapple::evolve::work_rows({&recipe.start, recipe.stage, recipe.stages, false}, domain);
-}
-
 const char* cell_name(dapple::grid::Cell cell) {
   return cell == dapple::grid::Cell::bit ? "bit" : cell == dapple::grid::Cell::int16 ? "int16" : "int32";
 }
@@ -56,7 +52,7 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
       {"stages", "stages", text(recipe.stages), ""},
       {"steps", "steps", text(steps_of(recipe)), ""},
       {"sweeps", "sweeps", text(need.sweeps), ""},
-      {"rows", "rows of work", text(rows_of(recipe, domain)), ""},
+      {"rows", "rows of work", text(need.rows), ""},
   };
 }
 

@@ -1,0 +1,35 @@
+// Steps of binary convolution. See convolution.hpp.
+// SPDX-License-Identifier: MIT
+#include "convolution.hpp"
+
+namespace dapple::evolve {
+
+static void prepare(const Context& context, bool running) {
+  const int32_t* number = context.number;
+  stencil::MaskShape shapes[stencil::kMaxMasks];
+  const uint8_t count = static_cast<uint8_t>(number[bits::masks]);
+  for (uint8_t i = 0; i < count; ++i)
+    shapes[i] = {static_cast<uint8_t>(number[bits::radius]), number[bits::diffusion] == bits::isotropic, number[bits::scale],
+                 number[bits::stretch], base::angle_of(number[bits::angles + i])};
+  stencil::make_masks(shapes, count, summed(number), running, *reinterpret_cast<stencil::MaskSet*>(context.table));
+}
+
+void prepare_sliced(const Context& context) { prepare(context, true); }
+void prepare_lean(const Context& context) { prepare(context, false); }
+
+static bool next(const Context& context, Cursor& cursor, grid::RowKernel row, Sweep& sweep) {
+  if (cursor.sweep++ != 0) return false;
+  sweep.first = 0;
+  sweep.count = 1;
+  sweep.radius = static_cast<uint8_t>(context.number[bits::radius]);
+  sweep.stride = 1;
+  sweep.halo = sweep.radius;
+  sweep.row = grid::choose(context.kernels, row);
+  context.model->values(context.number, context.clock, sweep.p);
+  return true;
+}
+
+bool sliced_next(const Context& context, Cursor& cursor, Sweep& sweep) { return next(context, cursor, stencil::convolve_row, sweep); }
+bool lean_next(const Context& context, Cursor& cursor, Sweep& sweep) { return next(context, cursor, stencil::convolve_lean, sweep); }
+
+}  // namespace dapple::evolve

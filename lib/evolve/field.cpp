@@ -1,0 +1,176 @@
+// The field as it stands. A field whose grid is coarser than the picture for good (masks on one-bit cells) is enlarged
+// bilinearly, twofold at a time; one that is still on its way to the finest grid is shown cell by cell.
+// SPDX-License-Identifier: MIT
+#include "field.hpp"
+
+namespace dapple::evolve {
+
+constexpr uint32_t kNoRow = UINT32_MAX;
+
+// The parts of the work memory.
+struct Work {
+  uint8_t* window;       // rows with halo that the kernel reads, on a torus
+  size_t window_row;
+  uint32_t* held;        // the numbers of the coarse rows
+  int16_t* coarse;       // their cells, halo included
+  size_t coarse_row;     // int16
+  int16_t* middle;       // two rows between fourfold and twofold
+  size_t middle_row;
+  uint8_t radius;
+};
+
+static Work work_of(const Run& run, uint8_t* work) {
+  Work w{};
+  w.radius = run.field_radius;
+  w.window_row = grid::scratch_bytes(run.field.cell, run.field.width, w.radius);
+  w.window = work;
+  w.held = reinterpret_cast<uint32_t*>(work + (2u * w.radius + 1u) * w.window_row);
+  w.coarse = reinterpret_cast<int16_t*>(w.held + kCoarseRows);
+  w.coarse_row = grid::scratch_bytes(grid::Cell::int16, run.field.width, 2) / 2;
+  w.middle = w.coarse + kCoarseRows * w.coarse_row;
+  w.middle_row = grid::row_bytes(grid::Cell::int16, static_cast<uint16_t>(run.domain.width / 2 + 4)) / 2;
+  return w;
+}
+
+void forget_rows(const Run& run, uint8_t* work) {
+  if (run.field_radius == 0) return;
+  const Work w = work_of(run, work);
+  for (uint8_t i = 0; i < kCoarseRows; ++i) w.held[i] = kNoRow;
+}
+
+static grid::Rows rows_of(const Run& run, int32_t* values) {
+  run.model.values(run.stage.number, run.clock, values);
+  grid::Rows rows;
+  rows.p = values;
+  rows.table = run.table;
+  rows.part = nullptr;
+  rows.planes = run.model.planes(run.stage.number);
+  rows.x = rows.y = rows.run = 0;
+  return rows;
+}
+
+// Where the domain's cell (0, 0) is in the grid of `level`, in cells of the finest grid.
+static uint16_t offset_x(const Run& run) { return static_cast<uint16_t>(run.domain.plane ? run.domain.x - run.ground.x : 0); }
+static uint16_t offset_y(const Run& run) { return static_cast<uint16_t>(run.domain.plane ? run.domain.y - run.ground.y : 0); }
+
+// Without neighbours: cell by cell. While a stage refines, from the bottom up, the rows above still stand on the coarser grid.
+static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
+  const uint16_t world = static_cast<uint16_t>(y + offset_y(run)), shift = offset_x(run);
+  uint8_t level = run.stage.level;
+  if (run.phase == Phase::refining && at_level(world, level) < 2 * static_cast<int32_t>(run.at_row)) ++level;
+  int32_t values[kMaxValues] = {};
+  grid::Rows rows = rows_of(run, values);
+  const uint16_t first = at_level(shift, level);
+  const uint16_t last = at_level(static_cast<uint16_t>(shift + run.domain.width - 1), level);
+  rows.scratch = work;
+  rows.x = first;
+  rows.n = static_cast<uint16_t>(last - first + 1);
+  const size_t bytes = grid::row_bytes(run.field.cell, at_level(run.ground.width, level));
+  for (uint8_t i = 0; i < rows.planes; ++i)
+    rows.in[i] = run.field.planes + i * run.field.plane_bytes + at_level(world, level) * bytes;
+  rows.out[0] = out;
+  grid::choose(run.kernels, run.model.field)(rows);
+  if (level == 0) return;
+  for (uint16_t x = run.domain.width; x-- > 0;)
+    out[x] = out[at_level(static_cast<uint16_t>(shift + x), level) - first];
+}
+
+// Cells of coarse row y from `first` on are made into `out` with two cells before and behind; on the plane from a
+// multiple of 32 cells on. Returns the place of cell `first`.
+static int16_t* make_coarse(const Run& run, const Work& w, int32_t y, uint16_t first, uint16_t count, int16_t* out) {
+  int32_t values[kMaxValues] = {};
+  grid::Rows rows = rows_of(run, values);
+  const bool plane = run.domain.plane;
+  const uint16_t height = run.field.height;
+  rows.scratch = nullptr;
+  rows.x = plane ? static_cast<uint16_t>((first - 2) & ~31) : static_cast<uint16_t>(0);
+  rows.n = plane ? static_cast<uint16_t>(first + count + 2 - rows.x) : run.field.width;
+  rows.y = static_cast<uint16_t>(y);
+  for (int32_t k = -w.radius; k <= w.radius; ++k) {
+    const int32_t at = plane ? y + k : (y + k % height + height) % height;
+    const uint8_t* row = row_of(run.field, 0, static_cast<uint16_t>(at)) + grid::cell_bytes(run.field.cell, rows.x);
+    if (!plane) {
+      uint8_t* copy = w.window + static_cast<size_t>(k + w.radius) * w.window_row + grid::halo_bytes(run.field.cell, w.radius);
+      grid::copy_row(run.field.cell, copy, row, run.field.width, w.radius);
+      row = copy;
+    }
+    rows.in[k + w.radius] = row;
+  }
+  rows.out[0] = plane ? out : out + 2;
+  grid::choose(run.kernels, run.solver.field)(rows);
+  if (plane) return out + (first - rows.x);
+  grid::wrap_row(grid::Cell::int16, out + 2, run.field.width, 2);
+  return out + 2;
+}
+
+// Row y of the coarse field, any y on a torus; made once while it is among the last ones asked for.
+static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y) {
+  const uint8_t level = run.stage.level;
+  const uint16_t height = run.field.height;
+  if (!run.domain.plane) y = (y + height) % height;
+  const uint16_t first = at_level(offset_x(run), level);
+  const uint16_t last = at_level(static_cast<uint16_t>(offset_x(run) + run.domain.width - 1), level);
+  const uint8_t slot = static_cast<uint8_t>(y % kCoarseRows);
+  int16_t* const out = w.coarse + slot * w.coarse_row;
+  if (w.held[slot] == static_cast<uint32_t>(y))
+    return run.domain.plane ? out + (first - ((first - 2) & ~31)) : out + 2;
+  w.held[slot] = static_cast<uint32_t>(y);
+  return make_coarse(run, w, y, first, static_cast<uint16_t>(last - first + 1), out);
+}
+
+// Twofold: cell X of the finer grid is 3/4 of the cell it lies in and 1/4 of the one beside it, in either direction.
+// The first of `count` cells is the half `odd` of cell 0. Values within +-8000: every sum fits int16.
+static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uint8_t odd, uint16_t count) {
+  const auto mixed = [&](int32_t x) { return static_cast<int16_t>((3 * near[x] + other[x] + 2) >> 2); };
+  int32_t x = 0;
+  int16_t before = mixed(-1), here = mixed(0), after = mixed(1);
+  for (uint16_t i = 0; i < count; ++i) {
+    out[i] = static_cast<int16_t>((3 * here + (odd ? after : before) + 2) >> 2);
+    if (odd) {
+      ++x;
+      before = here;
+      here = after;
+      after = mixed(x + 1);
+    }
+    odd ^= 1;
+  }
+}
+
+static int32_t beside(uint32_t y) { return (y & 1) != 0 ? 1 : -1; }
+
+// Two middle rows of a fourfold enlargement: the one row `y` (finest grid) lies in, and the one beside it.
+static void fourfold(const Run& run, const Work& w, uint16_t y, int16_t* out) {
+  const uint16_t shift = offset_x(run);
+  const uint16_t first = static_cast<uint16_t>(shift >> 1), last = static_cast<uint16_t>((shift + run.domain.width - 1) >> 1);
+  const int32_t rows[2] = {y >> 1, (y >> 1) + beside(y)};
+  const int32_t height = run.field.height;
+  for (uint8_t i = 0; i < 2; ++i) {
+    const int32_t middle = run.domain.plane ? rows[i] : (rows[i] + 2 * height) % (2 * height);
+    const int32_t coarse = middle >> 1;
+    const int32_t other = coarse + beside(static_cast<uint32_t>(middle));
+    // One cell to the left of `first`: the middle row needs a halo of one.
+    const int32_t left = first - 1;
+    const int32_t skip = (left >> 1) - (shift >> 2);
+    enlarge(coarse_row(run, w, coarse) + skip, coarse_row(run, w, other) + skip, w.middle + i * w.middle_row,
+            static_cast<uint8_t>(left & 1), static_cast<uint16_t>(last - left + 2));
+  }
+  enlarge(w.middle + 1, w.middle + w.middle_row + 1, out, static_cast<uint8_t>(shift & 1), run.domain.width);
+}
+
+void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
+  if (run.field_radius == 0) return plain_row(run, y, out, work);
+  const Work w = work_of(run, work);
+  const uint16_t world = static_cast<uint16_t>(y + offset_y(run));
+  const uint8_t level = run.stage.level;
+  if (level == 0) {
+    const int16_t* row = coarse_row(run, w, world);
+    for (uint16_t x = 0; x < run.domain.width; ++x) out[x] = row[x];
+  } else if (level == 1) {
+    enlarge(coarse_row(run, w, world >> 1), coarse_row(run, w, (world >> 1) + beside(world)), out,
+            static_cast<uint8_t>(offset_x(run) & 1), run.domain.width);
+  } else {
+    fourfold(run, w, world, out);
+  }
+}
+
+}  // namespace dapple::evolve
