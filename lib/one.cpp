@@ -24,3 +24,4 @@
 #include "recipe/list.cpp"
 #include "recipe/write.cpp"
 #include "api.cpp"
+#include "chunks.cpp"

@@ -41,7 +41,7 @@ struct Swept {
     const evolve::Reach reach{sweep.count, sweep.radius, sweep.halo, 0, 0, 0, 1, sweep.stride, 0, 0};
     REQUIRE(evolve::band_bytes(reach, field.cell, field.width, bands, field.band_bytes));
     planes.resize(field.plane_bytes * static_cast<size_t>(from.count) / 4);
-    scratch.resize(field.band_bytes * bands / 4);
+    scratch.resize(std::max<size_t>(field.band_bytes * bands / 4, 1));
     field.planes = reinterpret_cast<uint8_t*>(planes.data());
     field.scratch = reinterpret_cast<uint8_t*>(scratch.data());
     each(from, [](int32_t& plain, Cell cell, uint8_t* row, int32_t x) { store(cell, row, x, plain); });

@@ -10,8 +10,8 @@ floor_of() {
     start/* | stencil/* | model/* | paint/*) echo 2 ;;
     evolve/*) echo 3 ;;
     recipe/*) echo 4 ;;
-    dapple.hpp | api.cpp | one.cpp) echo 5 ;;
-    *) echo none ;;
+    */*) echo none ;;
+    *) echo 5 ;;
   esac
 }
 

@@ -36,9 +36,10 @@ check() {
     END { printf "%-20s .text %6d, with constants %6d bytes; .data and .bss %6d bytes\n", name, text, flash, ram }'
 }
 
+others='euler|nine_row|dapple::(bits|cells)|convol|mask|sliced'
 for target in x86-64 cortex-m0 avr; do
-  check $target zebra 'gray_scott|kinetic|laplacian|euler'
-  check $target mitosis 'threshold|lattice|gaussian|pass_|series|euler'
+  check $target zebra "gray_scott|kinetic|laplacian|five_row|$others"
+  check $target mitosis "threshold|lattice|gaussian|pass_|series|$others"
 done
 echo "(64 x 64 cells in .bss; without start-up code and the compiler's integer helpers; x86-64 with the C start-up code)"
 finish

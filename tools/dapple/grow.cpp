@@ -60,7 +60,7 @@ static Picture picture_of(dapple::Texture& texture, const Options& options) {
 }
 
 static void print_hash(const Subject& subject, const Options& options) {
-  Tile tile(subject, dapple::torus(options.width, options.height), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands);
   grow_tile(tile, subject, options);
   std::printf("%016" PRIx64 "\n", hash_of(tile.texture()));
   finish_standard_output();
@@ -71,10 +71,11 @@ void grow(const Options& options) {
   set_steps(subject, options);
   if (options.hash) return print_hash(subject, options);
   const Target target = target_of(options, subject.name);
-  Tile tile(subject, dapple::torus(options.width, options.height), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands);
   Picture picture = picture_of(tile.texture(), options);
   picture.name = subject.name;
-  picture.note = "Seed " + std::to_string(options.seed) + ", dapple " + version_text() + ": " + line_of(subject.recipe);
+  const std::string place = options.at ? ", at " + place_text(*options.at) + " of the plane" : "";
+  picture.note = "Seed " + std::to_string(options.seed) + place + ", dapple " + version_text() + ": " + line_of(subject.recipe);
   Output out(target.path);
   grow_tile(tile, subject, options);
   Lines lines(picture, target.pixels, options.dither);

@@ -29,11 +29,33 @@ const char* cell_name(dapple::grid::Cell cell) {
   return cell == dapple::grid::Cell::bit ? "bit" : cell == dapple::grid::Cell::int16 ? "int16" : "int32";
 }
 
+// The tiles the pattern fits.
+std::vector<Figure> tile_figures(const dapple::Need& need) {
+  const uint32_t step = need.multiple;
+  const auto multiple = [step](uint32_t side) { return std::to_string((side + step - 1) / step * step); };
+  return {
+      {"smallest_width", "smallest width", multiple(need.width), "cells"},
+      {"smallest_height", "smallest height", multiple(need.height), "cells"},
+      {"multiple", "multiple of", std::to_string(step), "cells"},
+  };
+}
+
+// Where a window is, and what is grown for it.
+std::vector<Figure> window_figures(const dapple::Need& need, dapple::Domain domain) {
+  const dapple::grid::Ground ground = dapple::api::ground_of(domain, need);
+  return {
+      {"x", "at x", std::to_string(domain.x), "cells"},
+      {"y", "at y", std::to_string(domain.y), "cells"},
+      {"halo", "halo", std::to_string(need.halo), "cells"},
+      {"grown_width", "grown width", std::to_string(ground.width), "cells"},
+      {"grown_height", "grown height", std::to_string(ground.height), "cells"},
+  };
+}
+
 std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& need, dapple::Domain domain) {
   const dapple::Model& model = *recipe.stage[0].model;
   const auto text = [](uint64_t value) { return std::to_string(value); };
-  const auto multiple = [&](uint32_t side) { return text((side + need.multiple - 1) / need.multiple * need.multiple); };
-  return {
+  std::vector<Figure> all = {
       {"width", "width", text(domain.width), "cells"},
       {"height", "height", text(domain.height), "cells"},
       {"cells", "cells", text(uint64_t{domain.width} * domain.height), ""},
@@ -44,9 +66,6 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
       {"scratch_bytes", "  scratch rows", text(need.scratch), "bytes"},
       {"paint_bytes", "  paint", text(need.paint), "bytes"},
       {"rest_bytes", "  rest", text(need.rest), "bytes"},
-      {"smallest_width", "smallest width", multiple(need.width), "cells"},
-      {"smallest_height", "smallest height", multiple(need.height), "cells"},
-      {"multiple", "multiple of", text(need.multiple), "cells"},
       {"radius", "radius", text(need.reach), "cells"},
       {"wavelength", "wavelength", decimal_text(wavelength_of(recipe)), "cells"},
       {"stages", "stages", text(recipe.stages), ""},
@@ -54,6 +73,10 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
       {"sweeps", "sweeps", text(need.sweeps), ""},
       {"rows", "rows of work", text(need.rows), ""},
   };
+  const std::vector<Figure> shape = domain.plane ? window_figures(need, domain) : tile_figures(need);
+  const auto radius = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("radius"); });
+  all.insert(radius, shape.begin(), shape.end());
+  return all;
 }
 
 void print_json(const Subject& subject, const std::vector<Figure>& all) {
@@ -79,7 +102,7 @@ void print_plain(const Subject& subject, const std::vector<Figure>& all) {
 
 void info(const Options& options) {
   const Subject subject = subject_of(options);
-  const dapple::Domain domain = dapple::torus(options.width, options.height);
+  const dapple::Domain domain = domain_of(options);
   const dapple::Need need = need_of(subject, domain, options.bands);
   const std::vector<Figure> all = figures(subject.recipe, need, domain);
   if (options.json) print_json(subject, all);

@@ -63,6 +63,15 @@ bool read_pair(const std::string& text, uint32_t low, uint16_t& first, uint16_t&
   return true;
 }
 
+// A whole number with a sign, within int32.
+bool read_signed(const std::string& text, int32_t& value) {
+  const bool negative = text[0] == '-';
+  uint32_t size = 0;
+  if (!read_number(text.substr(negative), false, size) || size > uint32_t{INT32_MAX} + negative) return false;
+  value = static_cast<int32_t>(negative ? -int64_t{size} : int64_t{size});
+  return true;
+}
+
 // Index of the value among words separated by '|'.
 int choice(const char* name, const std::string& value, const char* words) {
   const Word word = {value.c_str(), static_cast<uint16_t>(std::min<size_t>(value.size(), UINT16_MAX))};
@@ -79,7 +88,17 @@ void read_size(Options& o, const std::string& value) {
     refuse_value("--size", value, "N or WxH, each side from 8 to 65535");
 }
 
+void read_at(Options& o, const std::string& value) {
+  const size_t comma = value.find(',');
+  Place place{};
+  if (comma == std::string::npos || !read_signed(value.substr(0, comma), place.x) ||
+      !read_signed(value.substr(comma + 1), place.y))
+    refuse_value("--at", value, "X,Y, two whole numbers from -2147483648 to 2147483647");
+  o.at = place;
+}
+
 void read_repeat(Options& o, const std::string& value) {
+  o.repeat = true;
   if (!read_pair(value, 1, o.across, o.down))
     refuse_value("--repeat", value, "CxR, columns and rows, each from 1 to 65535");
 }
@@ -106,6 +125,8 @@ const Option kOptions[] = {
     {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
     {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
      read_size},
+    {"--at", "X,Y", in_grow | in_info, "a window of the endless plane, its left upper pixel at X,Y, instead of a tile",
+     read_at},
     {"--seed", "N", in_grow | in_sheet, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
@@ -182,6 +203,8 @@ void read_options(Command command, const std::vector<std::string>& words, Option
   }
   if ((command & (in_grow | in_info)) != 0 && options.subject.empty())
     refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
+  if (options.at && options.repeat)
+    refuse("--repeat is for tiles, which repeat without a seam; a window of the plane (--at) does not");
   if (options.flip_y && options.view != dapple::View::normal) refuse("--flip-y is for --view normal only");
 }
 
@@ -201,6 +224,13 @@ std::string options_help(Command command) {
 }
 
 std::string size_text(uint32_t width, uint32_t height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+std::string place_text(Place place) { return std::to_string(place.x) + "," + std::to_string(place.y); }
+
+dapple::Domain domain_of(const Options& options) {
+  if (!options.at) return dapple::torus(options.width, options.height);
+  return dapple::window(options.at->x, options.at->y, options.width, options.height);
+}
 
 static Format format_asked_for(const Options& options) {
   if (options.format) return *options.format;

@@ -9,12 +9,18 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8 };
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16 };
+
+// A pixel of the endless plane.
+struct Place {
+  int32_t x, y;
+};
 
 struct Options {
   std::string subject;               // NAME or RECIPE
   std::vector<std::string> changes;  // key=value
   uint16_t width = 256, height = 256;
+  std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
   std::optional<uint32_t> steps;
   std::string output;  // empty: after the subject
@@ -23,8 +29,10 @@ struct Options {
   std::optional<dapple::Pixels> pixels;
   std::optional<dapple::Ramp> ramp;
   uint16_t across = 1, down = 1;  // how often the tile is repeated
+  bool repeat = false;            // --repeat was given
   uint32_t budget = 1024;         // rows
   uint8_t bands = 1;
+  uint32_t frames = 0;            // of stream; 0: not given
   bool dither = false, flip_y = false, hash = false, json = false;
 };
 
@@ -35,6 +43,10 @@ void read_options(Command command, const std::vector<std::string>& words, Option
 std::string options_help(Command command);
 
 std::string size_text(uint32_t width, uint32_t height);
+std::string place_text(Place place);
+
+// Where the options want a texture grown.
+dapple::Domain domain_of(const Options& options);
 
 // The file format and the pixel format the options ask for, and the file they go to.
 struct Target {

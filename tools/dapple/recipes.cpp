@@ -165,6 +165,28 @@ uint32_t steps_of(const Recipe& recipe) { return dapple::recipe::total_steps(rec
 
 static uint32_t rounded_up(uint32_t side, uint32_t multiple) { return (side + multiple - 1) / multiple * multiple; }
 
+void fail_for_halo(const Subject& subject, uint32_t halo) {
+  fail("the endless plane is not for " + subject.name + ": it would have to grow " + std::to_string(halo) +
+       " cells more on every side, and " + std::to_string(dapple::kWidestHalo) +
+       " are the most; a tile needs none (dapple grow without --at)");
+}
+
+[[noreturn]] static void fail_for_place(dapple::Domain domain) {
+  const int32_t most = dapple::kFarthest - 2 * dapple::kWidestHalo;
+  fail("--at " + place_text({domain.x, domain.y}) + " --size " + size_text(domain.width, domain.height) +
+       ": the plane's pixels go from " + std::to_string(-most) + " to " + std::to_string(most - 1) + " either way");
+}
+
+[[noreturn]] static void fail_for_size(const Subject& subject, dapple::Domain domain, const dapple::Need& need) {
+  constexpr uint32_t kMost = 65000;
+  const std::string size = "--size " + size_text(domain.width, domain.height);
+  const uint32_t halo = 2 * need.halo;
+  if (domain.width + halo > kMost || domain.height + halo > kMost)
+    fail(size + ": a window of " + subject.name + " is grown with " + std::to_string(need.halo) +
+         " cells more on every side, so its sides are at most " + std::to_string(kMost - halo));
+  fail(size + ": " + subject.name + " needs more memory than this machine can address");
+}
+
 dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t bands) {
   dapple::Options options;
   options.bands = bands;
@@ -181,7 +203,11 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       refuse(size + " is too small: " + subject.name + " needs at least " +
              size_text(rounded_up(need.width, need.multiple), rounded_up(need.height, need.multiple)));
     case dapple::too_large:
-      fail(size + ": " + subject.name + " needs more memory than this machine can address");
+      fail_for_size(subject, domain, need);
+    case dapple::too_far:
+      fail_for_place(domain);
+    case dapple::halo_too_wide:
+      fail_for_halo(subject, need.halo);
     default:
       break;
   }

@@ -29,6 +29,9 @@ uint32_t steps_of(const dapple::Recipe& recipe);
 // What the recipe needs on a grid; refuses sizes that do not do.
 dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t bands);
 
+// Says that a window of the plane, or every chunk of it, would need more halo than there may be.
+[[noreturn]] void fail_for_halo(const Subject& subject, uint32_t halo);
+
 // The names of a family's numbers, and of what every recipe has.
 std::vector<std::string> keys_of(const dapple::recipe::Family& family);
 std::vector<std::string> common_keys();

@@ -32,6 +32,7 @@ void Progress::show(const std::string& name, uint64_t done, uint64_t all) {
 Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands)
     : name_(subject.name), recipe_(subject.recipe) {
   const dapple::Need need = need_of(subject, domain, bands);
+  rows_ = dapple::api::ground_of(domain, need).height;
   memory_.reset(new (std::nothrow) uint8_t[need.bytes]);
   if (memory_ == nullptr) fail("not enough memory: " + name_ + " needs " + std::to_string(need.bytes) + " bytes");
   dapple::Options options;
@@ -45,7 +46,7 @@ void Tile::grow(uint32_t budget, Progress& progress) {
 
 void Tile::grow_steps(uint32_t steps, Progress& progress) {
   const dapple::Stage& first = recipe_.stage[0];
-  texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (texture_.domain().height >> first.level));
+  texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (rows_ >> first.level));
   while (texture_.steps_done() < steps && texture_.step(1) == dapple::more)
     progress.show(name_, texture_.steps_done(), steps);
 }
