@@ -78,7 +78,7 @@ constexpr bool good_stages(const Recipe& recipe) {
   if (recipe.stages < 1 || recipe.stages > kMaxStages || !in_range(recipe.start) || !in_range(recipe.paint)) return false;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    if (s.model == nullptr || s.solver == nullptr || s.level > kMaxLevel || !s.model->in_range(s.number)) return false;
+    if (s.model == nullptr || s.solver == nullptr || s.level > kMaxLevel || s.steps > kMaxSteps || !s.model->in_range(s.number)) return false;
     const uint8_t planes = s.model->planes(s.number);
     if (planes < 1 || planes > grid::kMaxPlanes) return false;
     if ((i == 0) != (s.entry == Entry::start)) return false;

@@ -49,9 +49,11 @@ TEST_CASE("golden: every preset has its lines, and no others") {
   std::set<std::string> wanted, found;
   for (uint16_t i = 0; i < dapple::preset_count(); ++i) {
     char name[dapple::kMaxName];
-    dapple::preset_at(i, name);
-    for (const tests::Size size : tests::kGoldenSizes)
+    const dapple::Recipe recipe = dapple::load(*dapple::preset_at(i, name).preset);
+    for (const tests::Size any : tests::kGoldenSizes) {
+      const tests::Size size = tests::fitting(any, recipe);
       wanted.insert(std::string(name) + " " + std::to_string(size.width) + "x" + std::to_string(size.height));
+    }
   }
   for (const Golden& g : read_goldens()) found.insert(std::string(g.name) + " " + std::to_string(g.width) + "x" + std::to_string(g.height));
   CHECK(wanted == found);

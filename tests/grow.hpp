@@ -81,4 +81,10 @@ struct Size {
 constexpr Size kGoldenSizes[] = {{128, 128}, {160, 96}, {97, 113}};
 constexpr uint32_t kGoldenSeed = 1337;
 
+// A size the recipe can have: its sides rounded up to what its coarsest grid asks for.
+inline Size fitting(Size size, const dapple::Recipe& recipe) {
+  const unsigned step = dapple::need_for(recipe, dapple::torus(size.width, size.height)).multiple;
+  return {static_cast<uint16_t>((size.width + step - 1) / step * step), static_cast<uint16_t>((size.height + step - 1) / step * step)};
+}
+
 }  // namespace tests

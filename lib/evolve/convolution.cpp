@@ -4,6 +4,18 @@
 
 namespace dapple::evolve {
 
+int32_t grown_of(const stencil::MaskShape& shape) {
+  stencil::Mask mask;
+  if (!stencil::make_mask(&shape, 1, mask)) return 0;
+  const int32_t grown = static_cast<int32_t>(static_cast<int64_t>(stencil::peak_wavelength(mask, shape)) * 985 / 1000);
+  return grown < (shape.isotropic ? 5000000 : 4400000) ? 0 : grown;
+}
+
+int32_t grown_wavelength(const int32_t* number) {
+  return grown_of({static_cast<uint8_t>(number[bits::radius]), number[bits::diffusion] == bits::isotropic, number[bits::scale],
+                   number[bits::stretch], base::angle_of(number[bits::angles])});
+}
+
 static void prepare(const Context& context, bool running) {
   const int32_t* number = context.number;
   stencil::MaskShape shapes[stencil::kMaxMasks];

@@ -71,8 +71,8 @@ static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
   rows.out[0] = out;
   grid::choose(run.kernels, run.model.field)(rows);
   if (level == 0) return;
-  for (uint16_t x = run.domain.width; x-- > 0;)
-    out[x] = out[at_level(static_cast<uint16_t>(shift + x), level) - first];
+  for (uint16_t x = run.domain.width; x > 0; --x)
+    out[x - 1] = out[at_level(static_cast<uint16_t>(shift + x - 1), level) - first];
 }
 
 // Cells of coarse row y from `first` on are made into `out` with two cells before and behind; on the plane from a

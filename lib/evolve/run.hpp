@@ -16,6 +16,7 @@ enum class Entry : uint8_t {
 constexpr uint8_t kMaxStages = 4;
 constexpr uint8_t kMaxLevel = 3;
 constexpr uint8_t kMaxBands = 64;
+constexpr uint32_t kMaxSteps = 4000000;
 
 // A model, its numbers, the grid (finest size / 2^level) and how long.
 struct Stage {

@@ -80,6 +80,7 @@ void begin_sweep(const Field& field, const Sweep& sweep, Band* bands) {
     band.coset = static_cast<uint16_t>(band.next / order.length);
     band.index = static_cast<uint16_t>(band.next % order.length);
     band.y = row_at(order, field.height, band.coset, band.index);
+    band.run = 0;
     band.open = false;
     if (field.bands == 1 || sweep.radius == 0 || band.next == band.end) continue;
     const Windows w = windows_of(field, sweep, b);

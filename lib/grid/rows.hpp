@@ -32,7 +32,7 @@ constexpr size_t halo_bytes(Cell cell, uint16_t halo) {
 
 // Bytes of a scratch row: halo, cells, halo.
 constexpr size_t scratch_bytes(Cell cell, uint16_t width, uint16_t halo) {
-  return cell == Cell::bit ? 2 * halo_bytes(cell, halo) + row_bytes(cell, static_cast<uint16_t>(width + 8))
+  return cell == Cell::bit ? 2 * halo_bytes(cell, halo) + align4((static_cast<size_t>(width) + 15) / 8)
                            : 2 * halo_bytes(cell, halo) + row_bytes(cell, width);
 }
 

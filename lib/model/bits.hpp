@@ -19,12 +19,26 @@ inline constexpr Number numbers[] = {
     {Number::integer, "masks", 1, 5, 1, nullptr, "orientations"},
     {Number::word, "react", 0, 1, 0, "md|da", "md: max of differences (14); da: difference of abs (15)"},
     {Number::word, "diffusion", 0, 1, 0, "oriented|isotropic", "shape of the masks"},
-    {Number::integer, "radius", 4, 8, 6, nullptr, "cells of the grid: of the masks"},
-    {Number::decimal, "scale", kScale[0], kScale[1], 9000000, nullptr, "cells of the grid: nominal wavelength, .8 to 2.2 radius"},
+    {Number::integer, "window", 4, 8, 6, nullptr, "cells of the grid: radius of the masks"},
+    {Number::decimal, "scale", kScale[0], kScale[1], 9000000, nullptr, "cells of the grid: nominal wavelength, .8 to 2.2 windows"},
     {Number::decimal, "stretch", kStretch[0], kStretch[1], 3000000, nullptr, "e, length along the stripes"},
     {Number::angles, "angle", -kTurn, kTurn, 0, nullptr, "degrees from x towards y (down), along the stripes"},
     {Number::schedule, "rho", -kLargestRho, kLargestRho, 0, nullptr, "P: the threshold on the difference"},
 };
+
+// The thresholds between which a pattern lives, in 1/kMicro of P: beyond them every cell goes off, or on, within twelve steps
+// (measured for each rule at the usual wavelengths, where less than 2 % of the cells, or of the ground, are left).
+struct Living {
+  int32_t low, high;
+};
+constexpr Living living_of(int32_t masks, bool sums, bool round) {
+  if (masks == 1) return round ? Living{-440000, 440000} : Living{-kLargestRho, kLargestRho};
+  if (!sums) return {-120000, masks > 3 ? 430000 : 450000};
+  return masks == 2 ? Living{-370000, 350000} : Living{-430000, 430000};
+}
+constexpr Living living(const int32_t* number) {
+  return living_of(number[masks], number[react] == 1, number[diffusion] == isotropic);
+}
 
 constexpr bool in_range(const int32_t* number) {
   for (uint8_t j = 0; j < 5; ++j)
@@ -33,14 +47,15 @@ constexpr bool in_range(const int32_t* number) {
   return within(number[masks], 1, 5) && within(number[react], 0, 1) && within(number[diffusion], 0, 1) &&
          within(number[radius], 4, 8) && within(number[scale], kScale[0], kScale[1]) &&
          within(number[scale], cell / 10 * 8, cell / 10 * 22) && within(number[stretch], kStretch[0], kStretch[1]) &&
-         schedule_within(number + rho, -kLargestRho, kLargestRho);
+         schedule_within(number + rho, living(number).low, living(number).high);
 }
 
 constexpr uint8_t planes(const int32_t*) { return 1; }
 constexpr grid::Tensor tensor(const int32_t*, uint8_t) { return {0, 0, 0}; }
 constexpr grid::Levels levels(const int32_t*, uint8_t) { return {0, 1, 0, 1}; }
 
-constexpr int32_t wavelength(const int32_t* number) { return number[scale]; }
+// Roughly; grown_wavelength (evolve/) knows better.
+constexpr int32_t wavelength(const int32_t* number) { return number[scale] / 16 * 15; }
 
 constexpr int16_t cell_level(const int32_t* number) {
   return static_cast<int16_t>(base::divide_round(static_cast<int64_t>(number[rho + 1]) * kUnit, base::kMicro));

@@ -3,6 +3,7 @@
 #pragma once
 #include "../evolve/convolution.hpp"
 #include "../evolve/run.hpp"
+#include "../evolve/steering.hpp"
 #include "../model/cells.hpp"
 #include "../model/gray_scott.hpp"
 #include "../model/threshold.hpp"
@@ -38,6 +39,8 @@ struct Family {
   Start start;
   int32_t low, high;
   uint8_t level = 0;
+  bits::Living (*living)(const int32_t* number) = nullptr;  // the thresholds rho between which a pattern lives
+  int32_t (*grown)(const int32_t* number) = nullptr;        // the wavelength these numbers grow, where the model's is a guess
 };
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
@@ -51,7 +54,10 @@ inline constexpr Family families[] = {
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000}, 0, 350000},
     {"bits", &bits_model, bits::numbers, count_of(bits::numbers), "sliced|lean",
      {&evolve::sliced, &evolve::lean}, 10,
-     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -950000, 950000, 1},
+     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -950000, 950000, 1, bits::living, evolve::grown_wavelength},
+    {"flow", &flow_model, flow::numbers, count_of(flow::numbers), "steered",
+     {&evolve::steered, nullptr}, 12,
+     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -920000, 920000, 1, flow::living, evolve::steered_wavelength},
     {"cells", &cells_model, cells::numbers, count_of(cells::numbers), "direct",
      {&evolve::direct, nullptr}, 64,
      {Start::noise, 32000000, 875000, 300000, 6400000, 1000000}, 0, 1000000},

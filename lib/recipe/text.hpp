@@ -7,113 +7,9 @@
 // gloss, grain. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "ramps.hpp"
-#include "recipe.hpp"
-
-namespace dapple {
-
-// Where and why text was refused. `word` points into the text.
-struct Trouble {
-  Status status;
-  uint16_t column;         // 1-based
-  recipe::Word word;
-  int32_t low, high;       // of out_of_range, in 1/kMicro, or plain for whole numbers
-  bool whole;
-  const char* allowed;     // of unknown_word: words separated by '|', or null
-};
-
-}  // namespace dapple
+#include "reader.hpp"
 
 namespace dapple::recipe {
-
-// Text being read into a recipe.
-struct Reader {
-  Recipe* recipe;
-  const Family* family;
-  const char* origin;  // for columns
-  Trouble trouble;
-  uint8_t stage;       // the one being written; numbers go to it and all later ones
-  int32_t wavelength;  // 0: not given
-  uint32_t levels, fine;
-  bool angle_given, angles_given, pairs_given, pitch_given, radius_given, steps_given;
-  int32_t first_angle, scale;  // before
-};
-
-constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {
-  r.trouble = {status, static_cast<uint16_t>(word.text - r.origin + 1), word, low, high, whole, allowed};
-  return false;
-}
-
-constexpr bool decimal_in(Reader& r, Word text, int32_t low, int32_t high, int32_t& value) {
-  int32_t read = 0;
-  if (!read_decimal(text, read)) return fail(r, broken_text, text);
-  if (read < low || read > high) return fail(r, out_of_range, text, low, high);
-  value = read;
-  return true;
-}
-
-constexpr bool integer_in(Reader& r, Word text, uint32_t low, uint32_t high, uint32_t& value) {
-  uint32_t read = 0;
-  if (!read_integer(text, read)) return fail(r, broken_text, text);
-  if (read < low || read > high) return fail(r, out_of_range, text, static_cast<int32_t>(low), static_cast<int32_t>(high), true);
-  value = read;
-  return true;
-}
-
-constexpr bool word_in(Reader& r, Word text, const char* words, int32_t& value) {
-  const int16_t index = index_of(text, words);
-  if (index < 0) return fail(r, unknown_word, text, 0, 0, false, words);
-  value = index;
-  return true;
-}
-
-// A | A:B@F | A:B@F..G
-constexpr bool schedule_in(Reader& r, Word text, const Number& n, int32_t* slot) {
-  Word rest = text;
-  const Word from = take(rest, ':');
-  if (!decimal_in(r, from, n.low, n.high, slot[0])) return false;
-  slot[1] = slot[0];
-  slot[2] = slot[3] = 0;
-  if (from.length == text.length) return true;
-  if (!decimal_in(r, take(rest, '@'), n.low, n.high, slot[1])) return false;
-  uint16_t dots = 0;
-  while (dots + 1 < rest.length && !(rest.text[dots] == '.' && rest.text[dots + 1] == '.')) ++dots;
-  const bool ramp = dots + 1 < rest.length;
-  const Word begin = ramp ? part(rest, 0, dots) : rest;
-  const Word end = ramp ? part(rest, static_cast<uint16_t>(dots + 2), rest.length) : rest;
-  return decimal_in(r, begin, 0, base::kMicro, slot[2]) && decimal_in(r, end, slot[2], base::kMicro, slot[3]);
-}
-
-constexpr bool angles_in(Reader& r, Word text, const Number& n, int32_t* slot) {
-  uint8_t count = 0;
-  for (Word rest = text; rest.length > 0 || count == 0; ++count) {
-    if (count == 5) return fail(r, broken_text, text);
-    if (!decimal_in(r, take(rest, ','), n.low, n.high, slot[count])) return false;
-  }
-  r.angle_given = true;
-  r.angles_given = count > 1;
-  return true;
-}
-
-constexpr bool number_in(Reader& r, Word text, const Number& n, int32_t* slot) {
-  uint32_t whole = 0;
-  switch (n.kind) {
-    case Number::decimal: return decimal_in(r, text, n.low, n.high, *slot);
-    case Number::integer:
-      if (!integer_in(r, text, static_cast<uint32_t>(n.low), static_cast<uint32_t>(n.high), whole)) return false;
-      *slot = static_cast<int32_t>(whole);
-      r.pairs_given = true;
-      return true;
-    case Number::program:
-      if (!read_program(text, whole)) return fail(r, broken_text, text);
-      *slot = static_cast<int32_t>(whole);
-      return true;
-    case Number::word: return word_in(r, text, n.words, *slot);
-    case Number::schedule: return schedule_in(r, text, n, slot);
-    case Number::angles: return angles_in(r, text, n, slot);
-  }
-  return false;
-}
 
 // Slot of the family's number of that name, or -1.
 constexpr int8_t slot_named(const Family& f, const char* name) {
@@ -269,22 +165,55 @@ constexpr int32_t turned(int32_t angle, int32_t by) {
   return static_cast<int32_t>(sum > turn || sum < -turn ? sum % turn : sum);
 }
 
+// The scale that grows a wavelength: its share where the wavelength is proportional, the nearest of a hundred in range where
+// it is not (masks: rounding makes it uneven).
+constexpr bool tune(Reader& r, Word all, Stage& stage, uint8_t slot, const Number& range) {
+  const int32_t wanted = r.wavelength >> (stage.model->coarse ? stage.level : 0);
+  int32_t* number = stage.number;
+  if (r.family->grown == nullptr) {
+    number[slot] = base::kMicro;
+    const int32_t one = stage.model->wavelength(number);
+    number[slot] = times(r.wavelength, base::kMicro, one);
+    return within(number[slot], range.low, range.high) ||
+           fail(r, out_of_range, all, times(range.low, one, base::kMicro), times(range.high, one, base::kMicro));
+  }
+  int32_t best = 0, error = INT32_MAX, low = INT32_MAX, high = 0;
+  for (int32_t i = 0; i <= 100; ++i) {
+    number[slot] = range.low + (range.high - range.low) / 100 * i;
+    if (!stage.model->in_range(number)) continue;
+    const int32_t grown = r.family->grown(number);
+    if (grown == 0) continue;
+    const int32_t off = grown > wanted ? grown - wanted : wanted - grown;
+    if (off < error) {
+      error = off;
+      best = number[slot];
+    }
+    low = grown < low ? grown : low;
+    high = grown > high ? grown : high;
+  }
+  number[slot] = best;
+  return wanted >= low && wanted <= high ? true : fail(r, out_of_range, all, low << stage.level, high << stage.level);
+}
+
+// A threshold that extinguishes the pattern is refused with the bounds that other numbers set.
+constexpr bool living(Reader& r, Word all, const int32_t* number) {
+  const int8_t rho = slot_named(*r.family, "rho");
+  if (r.family->living == nullptr || rho < 0) return true;
+  const bits::Living range = r.family->living(number);
+  return schedule_within(number + rho, range.low, range.high) ||
+         fail(r, out_of_range, r.schedule.length > 0 ? r.schedule : all, range.low, range.high);
+}
+
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
 constexpr bool settle(Reader& r, Word all) {
   const int8_t scale = slot_named(*r.family, "scale"), angle = slot_named(*r.family, "angle");
   for (uint8_t i = 0; i < r.recipe->stages; ++i) {
     int32_t* number = r.recipe->stage[i].number;
-    if (r.wavelength != 0 && scale >= 0) {
-      number[scale] = base::kMicro;
-      const int32_t one = r.family->model->wavelength(number);
-      for (uint8_t k = 0; k < r.family->number_count; ++k) {
-        const Number& range = r.family->numbers[k];
-        if (!equal(word_of(range.name), "scale")) continue;
-        number[scale] = times(r.wavelength, base::kMicro, one);
-        if (number[scale] < range.low || number[scale] > range.high)
-          return fail(r, out_of_range, all, times(range.low, one, base::kMicro), times(range.high, one, base::kMicro));
-      }
+    for (uint8_t k = 0; k < r.family->number_count && r.wavelength != 0 && scale >= 0; ++k) {
+      const Number& range = r.family->numbers[k];
+      if (equal(word_of(range.name), "scale") && !tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
+    if (!living(r, all, number)) return false;
     if (angle < 0) continue;
     const int32_t pairs = number[0];
     const int32_t first = number[angle];

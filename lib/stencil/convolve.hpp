@@ -6,7 +6,7 @@
 // The field is 8000 D / P, rounded half up and held within +-8000.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "mask.hpp"
+#include "slices.hpp"
 
 namespace dapple::stencil {
 
@@ -33,6 +33,8 @@ constexpr int16_t field_value(FieldScale scale, int16_t d) {
 }
 
 // The definition: one look-up for four cells of a row of the mask (Witkin & Kass 5.3), sums by addition.
+constexpr uint8_t kTableBlock = 32;  // cells at a time, at most
+void sums_by_table(const MaskSet& set, uint8_t mask, const grid::Rows& rows, int32_t x, uint8_t count, int16_t* sum);
 void convolve_by_table(const grid::Rows& rows);
 void field_by_table(const grid::Rows& rows);
 
@@ -46,13 +48,5 @@ void convolve_row64(const grid::Rows& rows);
 // Bit-sliced without any scratch memory: shifted copies are made for every word.
 void convolve_lean(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
-
-constexpr uint8_t kSumBits = 9;  // D - threshold - 1 lies within -2 * 127 - 1 .. 127 + 127
-
-// Bytes of scratch a cell of a row takes for the kept copies (twice 2 r + 2 rows of 2 r + 1) and sums, rounded up.
-constexpr uint8_t kept_bytes(uint8_t radius, uint8_t masks) {
-  const uint16_t words = static_cast<uint16_t>(4 * (radius + 1) * (2 * radius + 1) + kSumBits * masks);
-  return static_cast<uint8_t>((words + 7) / 8);
-}
 
 }  // namespace dapple::stencil

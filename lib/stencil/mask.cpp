@@ -4,8 +4,6 @@
 
 namespace dapple::stencil {
 
-constexpr uint16_t kCells = kLargestSide * kLargestSide;
-
 // exp(-t), t Q16 >= 0, Q30: 2^-whole times a polynomial for 2^-part (worst error 2e-5).
 static int32_t decay(int64_t t) {
   const int64_t power = (t * 94548) >> 16;  // log2(e) Q16
@@ -27,8 +25,7 @@ static bool inside(const MaskShape& s, int16_t x, int16_t y) {
   return !s.isotropic || 4 * (x * x + y * y) <= edge * edge;
 }
 
-// Adds K of one shape, Q30, to kernel[].
-static void add_kernel(const MaskShape& s, int32_t* kernel) {
+void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
   const int64_t milli = s.wavelength / 1000;
   const int64_t across = milli * milli * 657316 / 10000000;  // 2 s^2, 1e-6 cells^2
   const int64_t stretch = s.isotropic ? 1000 : s.stretch / 1000;
@@ -49,7 +46,8 @@ static void add_kernel(const MaskShape& s, int32_t* kernel) {
     for (int16_t y = static_cast<int16_t>(-r); y <= r; ++y)
       for (int16_t x = static_cast<int16_t>(-r); x <= r; ++x, ++to) {
         const int32_t share = static_cast<int32_t>(inside(s, x, y) ? (static_cast<int64_t>(value(x, y)) << 30) / total : 0);
-        *to += inhibitor ? -share : share;
+        const int32_t part = static_cast<int32_t>((static_cast<int64_t>(share) * factor) >> 15);
+        *to += inhibitor ? -part : part;
       }
   }
 }
@@ -121,7 +119,7 @@ static void mend_orbits(Rounding& r) {
 }
 
 // Rounds the scaled kernel to weights that sum to zero; false when a limit is broken.
-static bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask) {
+bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask) {
   Rounding r{};
   r.mask = &mask;
   r.scaled = scaled;
@@ -140,14 +138,14 @@ static bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mas
     if (w > limit || w < -limit) return false;
     if (w > 0) mask.sum = static_cast<int16_t>(mask.sum + w);
   }
-  return mask.sum > 0 && mask.sum <= static_cast<int16_t>(kLargestSum);
+  return mask.sum <= static_cast<int16_t>(kLargestSum);
 }
 
 bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask) {
   int32_t kernel[kCells] = {};
   int16_t scaled[kCells];
   mask.radius = shapes[0].radius;
-  for (uint8_t i = 0; i < count; ++i) add_kernel(shapes[i], kernel);
+  for (uint8_t i = 0; i < count; ++i) add_kernel(shapes[i], 16384, kernel);
   const uint16_t cells = static_cast<uint16_t>((2 * mask.radius + 1) * (2 * mask.radius + 1));
   int32_t peak = 1;
   for (uint16_t i = 0; i < cells; ++i) peak = base::max(peak, kernel[i] < 0 ? -kernel[i] : kernel[i]);
@@ -155,7 +153,7 @@ bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask) {
   for (int32_t tenths = 10 * limit + 4; tenths >= 15; --tenths) {
     for (uint16_t i = 0; i < cells; ++i)
       scaled[i] = static_cast<int16_t>(static_cast<int64_t>(kernel[i]) * tenths * 256 / (INT64_C(10) * peak));
-    if (round_mask(scaled, shapes[0].isotropic, limit, mask)) return true;
+    if (round_mask(scaled, shapes[0].isotropic, limit, mask)) return mask.sum > 0;
   }
   return false;
 }
@@ -195,24 +193,30 @@ static bool make_change(const Mask& mask, Taps& taps) {
   return make_taps(weight, static_cast<uint8_t>(side + 1), static_cast<uint8_t>(side), taps);
 }
 
-bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set) {
-  set.count = summed ? 1 : count;
-  set.radius = shapes[0].radius;
+bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set) {
+  set.count = count;
+  set.radius = masks[0].radius;
+  set.sum = masks[0].sum;
   set.running = running;
   const uint8_t side = static_cast<uint8_t>(2 * set.radius + 1);
   uint16_t whole = 0, change = 0;
-  for (uint8_t i = 0; i < set.count; ++i) {
-    Mask mask;
-    if (!make_mask(shapes + i, summed ? count : 1, mask)) return false;
-    if (i == 0) set.sum = mask.sum;
-    if (!make_taps(mask.weight, side, side, set.whole[i])) return false;
+  for (uint8_t i = 0; i < count; ++i) {
+    if (!make_taps(masks[i].weight, side, side, set.whole[i])) return false;
     whole = static_cast<uint16_t>(whole + count_of(set.whole[i]));
     if (!set.running) continue;
-    if (make_change(mask, set.whole[set.count + i])) change = static_cast<uint16_t>(change + count_of(set.whole[set.count + i]));
-    else set.running = false;
+    set.running = make_change(masks[i], set.whole[count + i]);
+    if (set.running) change = static_cast<uint16_t>(change + count_of(set.whole[count + i]));
   }
-  set.running = set.running && change + 10 * set.count < whole;
+  set.running = set.running && change + 10 * count < whole;
   return true;
+}
+
+bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set) {
+  Mask masks[kMaxMasks];
+  const uint8_t made = summed ? 1 : count;
+  for (uint8_t i = 0; i < made; ++i)
+    if (!make_mask(shapes + i, summed ? count : 1, masks[i])) return false;
+  return make_set(masks, made, running, set);
 }
 
 void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) {

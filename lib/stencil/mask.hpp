@@ -10,6 +10,7 @@ namespace dapple::stencil {
 
 constexpr uint8_t kSmallestMask = 4, kLargestMask = 8;  // radius, cells
 constexpr uint8_t kLargestSide = 2 * kLargestMask + 1;
+constexpr uint16_t kCells = kLargestSide * kLargestSide;
 constexpr uint16_t kLargestSum = 127;                   // P
 constexpr uint8_t kLargestWeight = 7, kLargestSummed = 15;  // of one mask, and of one that is the sum of two
 constexpr uint8_t kMaxMasks = 5;
@@ -37,6 +38,14 @@ struct Mask {
 // within kLargestSum after the sum has been made zero: by point-symmetric pairs where rounding was worst, the odd unit at
 // the centre; isotropic masks by whole orbits of the square's symmetries. false: no factor does.
 bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask);
+
+// The wavelength, in 1/kMicro cells, at which the transfer function of a mask made from `shape` peaks.
+int32_t peak_wavelength(const Mask& mask, const MaskShape& shape);
+
+// The parts of it: adds factor (Q15) times K of a shape, Q30, to kernel[], row-major; rounds exact weights in Q8 (false: P or
+// a weight beyond its limit).
+void add_kernel(const MaskShape& shape, int16_t factor, int32_t* kernel);
+bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask);
 
 // Weights as lists of unit taps, one for every sign and binary place: what bit-sliced evaluation eats. A tap is the index
 // row * (2 radius + 1) + column; sum |weight| <= 2 * kLargestSum bounds their number.
@@ -67,6 +76,8 @@ constexpr size_t mask_set_bytes(uint8_t masks, bool running) {
 // Fills `set` (mask_set_bytes) with `count` masks; with `running`, also the vertical differences where all of them pay.
 // false: a mask cannot be made.
 bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set);
+
+bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set);
 
 // The weights of mask i back from its taps.
 void weights_of(const MaskSet& set, uint8_t i, int8_t* weight);

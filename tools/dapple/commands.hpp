@@ -9,6 +9,7 @@ void list(const Options& options);
 void grow(const Options& options);
 void info(const Options& options);
 void sheet(const Options& options);
+void stream(const Options& options);
 
 // Text as a JSON string.
 std::string json_text(const std::string& text);

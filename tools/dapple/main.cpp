@@ -16,7 +16,7 @@ struct CommandEntry {
   const char* name;
   Command command;
   void (*run)(const Options& options);
-  uint16_t side;  // default of --size
+  uint16_t side;  // default of --size; 0: the command's own
   const char* arguments;
   const char* summary;
 };
@@ -26,6 +26,7 @@ const CommandEntry kCommands[] = {
     {"grow", in_grow, grow, 256, "NAME|RECIPE [key=value ...] [options]", "grow one texture and write it"},
     {"info", in_info, info, 256, "NAME|RECIPE [key=value ...] [options]", "its recipe, its memory, its work"},
     {"sheet", in_sheet, sheet, 128, "[options]", "one picture of all presets"},
+    {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
 };
 
 std::string usage() {
@@ -52,9 +53,9 @@ std::string keys_help() {
 std::string command_help(const CommandEntry& entry) {
   std::string text = std::string("usage: dapple ") + entry.name + " " + entry.arguments + "\n\n" + entry.summary;
   const std::string size = std::to_string(entry.side);
-  if (entry.command != in_list) text += "; --size is " + size + " if not given";
+  if (entry.command != in_list && entry.side != 0) text += "; --size is " + size + " if not given";
   text += "\n\n" + options_help(entry.command);
-  return entry.command & (in_grow | in_info) ? text + keys_help() : text;
+  return entry.command & kTakesSubject ? text + keys_help() : text;
 }
 
 void print(const std::string& text) {

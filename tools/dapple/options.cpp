@@ -127,7 +127,11 @@ const Option kOptions[] = {
      read_size},
     {"--at", "X,Y", in_grow | in_info, "a window of the endless plane, its left upper pixel at X,Y, instead of a tile",
      read_at},
-    {"--seed", "N", in_grow | in_sheet, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
+    {"--size", "WxH", in_stream, "pixels of the view, two a character (the terminal's; piped 80x46)", read_size},
+    {"--at", "X,Y", in_stream, "where the flight begins (0,0)", read_at},
+    {"--frames", "N", in_stream, "stop after N frames, 1 to 1000000 (piped 60; in the terminal none)",
+     [](Options& o, const std::string& v) { o.frames = number("--frames", v, 1, 1000000); }},
+    {"--seed", "N", in_grow | in_sheet | in_stream, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
@@ -177,7 +181,7 @@ bool is_change(const std::string& word) {
 }
 
 void read_plain_word(Command command, const std::string& word, Options& options) {
-  const bool subject = (command & (in_grow | in_info)) != 0;
+  const bool subject = (command & kTakesSubject) != 0;
   if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
@@ -201,7 +205,7 @@ void read_options(Command command, const std::vector<std::string>& words, Option
       refuse(std::string(option.name) + " needs a value: " + option.value);
     option.read(options, option.value != nullptr ? words[i] : "");
   }
-  if ((command & (in_grow | in_info)) != 0 && options.subject.empty())
+  if ((command & kTakesSubject) != 0 && options.subject.empty())
     refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
   if (options.at && options.repeat)
     refuse("--repeat is for tiles, which repeat without a seam; a window of the plane (--at) does not");

@@ -10,6 +10,7 @@
 namespace cli {
 
 enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16 };
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream;  // NAME|RECIPE [key=value ...]
 
 // A pixel of the endless plane.
 struct Place {

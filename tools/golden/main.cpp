@@ -18,7 +18,8 @@ namespace {
 std::vector<std::string> lines_of(const char* name) {
   std::vector<std::string> lines;
   const dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
-  for (const tests::Size size : tests::kGoldenSizes) {
+  for (const tests::Size wanted : tests::kGoldenSizes) {
+    const tests::Size size = tests::fitting(wanted, recipe);
     tests::Grown tile(recipe, dapple::torus(size.width, size.height), tests::kGoldenSeed);
     char line[128];
     std::snprintf(line, sizeof line, "%s %ux%u %u %016" PRIx64 " %016" PRIx64, name, unsigned(size.width),

@@ -1,0 +1,60 @@
+// Steps along a field of directions. See steering.hpp.
+// SPDX-License-Identifier: MIT
+#include "steering.hpp"
+
+namespace dapple::evolve {
+
+// Nodes on a torus: as many as come nearest to the distance asked for, at least one.
+static uint16_t nodes_on(uint16_t size, int32_t distance) {
+  return static_cast<uint16_t>(base::max(1, static_cast<int32_t>((size + distance / 2) / distance)));
+}
+
+static void set_field(const Context& context, stencil::DirectionField& f) {
+  const int32_t* number = context.number;
+  const uint8_t level = context.level;
+  const int32_t distance = number[flow::nodes];
+  f.seed = context.seed;
+  f.x = context.ground->x >> level;
+  f.y = context.ground->y >> level;
+  f.width = context.plane ? static_cast<uint16_t>(0) : static_cast<uint16_t>(context.ground->width >> level);
+  f.height = context.plane ? static_cast<uint16_t>(0) : static_cast<uint16_t>(context.ground->height >> level);
+  f.across = context.plane ? static_cast<uint16_t>(distance) : nodes_on(f.width, distance);
+  f.down = context.plane ? static_cast<uint16_t>(distance) : nodes_on(f.height, distance);
+  f.kind = static_cast<uint8_t>(number[flow::field]);
+  f.bend = static_cast<int16_t>(static_cast<int64_t>(number[flow::bend]) * 4096 / base::kMicro);
+}
+
+void prepare_steered(const Context& context) {
+  const int32_t* number = context.number;
+  stencil::SteerSet& set = *reinterpret_cast<stencil::SteerSet*>(context.table);
+  set_field(context, set.field);
+  set.threads = static_cast<uint8_t>(number[flow::threads]);
+  for (uint8_t t = 0; t < set.threads; ++t) {
+    const uint16_t doubled = static_cast<uint16_t>(2 * base::angle_of(number[flow::angles + t]));
+    set.c2[t] = static_cast<int8_t>(base::clamp((base::cosine(doubled) + 128) >> 8, -127, 127));
+    set.s2[t] = static_cast<int8_t>(base::clamp((base::sine(doubled) + 128) >> 8, -127, 127));
+  }
+  stencil::Mask masks[stencil::kSteerable];
+  int16_t sum = 0;
+  stencil::make_steerable({static_cast<uint8_t>(number[flow::radius]), false, number[flow::scale], number[flow::stretch], 0}, masks, sum);
+  stencil::make_set(masks, stencil::kSteerable, true, set.masks);
+  set.masks.sum = sum;
+}
+
+int32_t steered_wavelength(const int32_t* number) {
+  return grown_of({static_cast<uint8_t>(number[flow::radius]), false, number[flow::scale], number[flow::stretch], 0});
+}
+
+bool steered_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  if (cursor.sweep++ != 0) return false;
+  sweep.first = 0;
+  sweep.count = 1;
+  sweep.radius = static_cast<uint8_t>(context.number[flow::radius]);
+  sweep.stride = 1;
+  sweep.halo = sweep.radius;
+  sweep.row = grid::choose(context.kernels, stencil::steer_row);
+  context.model->values(context.number, context.clock, sweep.p);
+  return true;
+}
+
+}  // namespace dapple::evolve

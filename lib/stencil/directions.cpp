@@ -1,0 +1,97 @@
+// Fields of directions. See steer.hpp.
+// SPDX-License-Identifier: MIT
+#include "steer.hpp"
+
+namespace dapple::stencil {
+
+constexpr uint32_t kDirectionStream = 96;  // of the hash
+
+static int32_t floor_divide(int64_t a, int32_t b) {
+  return static_cast<int32_t>(a >= 0 ? a / b : -((-a + b - 1) / b));
+}
+
+// A world coordinate in units of nodes, Q8: cell centres at (256 x + 128) / 256.
+static int32_t node_at(int32_t at, uint16_t size, uint16_t nodes) {
+  const int64_t centre = static_cast<int64_t>(at) * 256 + 128;
+  return size != 0 ? static_cast<int32_t>(centre * nodes / size) : floor_divide(centre, nodes);
+}
+
+static int32_t folded(int32_t i, uint16_t size, uint16_t nodes) {
+  if (size == 0) return i;
+  const int32_t rest = i % nodes;
+  return rest < 0 ? rest + nodes : rest;
+}
+
+// Weights of the nodes before, at and behind, Q7; they sum to 128.
+struct Blend {
+  int16_t weight[3];
+};
+static Blend blend_of(int32_t f) {
+  Blend b{};
+  b.weight[0] = static_cast<int16_t>(((256 - f) * (256 - f)) >> 10);
+  b.weight[2] = static_cast<int16_t>((f * f) >> 10);
+  b.weight[1] = static_cast<int16_t>(128 - b.weight[0] - b.weight[2]);
+  return b;
+}
+
+// Two numbers that are blended: a vector's parts (Q12), or a scalar (Q15) and nothing.
+struct Pair {
+  int32_t a, b;
+};
+
+static Pair node(const DirectionField& f, int32_t i, int32_t j) {
+  const uint32_t h = base::hash(f.seed, kDirectionStream, folded(i, f.width, f.across), folded(j, f.height, f.down));
+  if (f.kind == scalars) return {static_cast<int32_t>(h >> 16) - 32768, 0};
+  const uint16_t angle = static_cast<uint16_t>(h >> 16);
+  return {base::cosine(angle) >> 3, base::sine(angle) >> 3};
+}
+
+// Column i of nodes, blended along y: Q7 more than the nodes.
+static Pair column(const DirectionField& f, int32_t i, int32_t j, const Blend& down) {
+  Pair sum = {0, 0};
+  for (uint8_t k = 0; k < 3; ++k) {
+    const Pair n = node(f, i, j + k - 1);
+    sum.a += n.a * down.weight[k];
+    sum.b += n.b * down.weight[k];
+  }
+  return sum;
+}
+
+static int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
+
+// sum: Q7 * Q7 times the nodes' format. Scalars: |n| < 2^15, n bend is 2^27 at most, in turns Q27 -> Q16.
+static void to_direction(const DirectionField& f, const Pair& sum, int8_t* c2, int8_t* s2) {
+  if (f.kind == scalars) {
+    const int32_t turn = ((sum.a >> 14) * f.bend) >> 11;
+    *c2 = to_q7((base::cosine(static_cast<uint16_t>(turn)) + 128) >> 8);
+    *s2 = to_q7((base::sine(static_cast<uint16_t>(turn)) + 128) >> 8);
+    return;
+  }
+  const int32_t a = sum.a >> 14, b = sum.b >> 14;  // Q12
+  const int32_t inverse = base::inverse_root(static_cast<uint32_t>(a * a + b * b));
+  *c2 = to_q7((a * inverse + 65536) >> 17);
+  *s2 = to_q7((b * inverse + 65536) >> 17);
+}
+
+void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, int8_t* c2, int8_t* s2) {
+  const int32_t row = node_at(folded(f.y + y, f.height, f.height), f.height, f.down);
+  const Blend down = blend_of(row & 255);
+  Pair nodes[3] = {};
+  int32_t at = 0;
+  for (uint8_t k = 0; k < count; ++k) {
+    const int32_t place = node_at(folded(f.x + x + k, f.width, f.width), f.width, f.across);
+    const int32_t i = place >> 8;
+    if (k == 0 || i != at)
+      for (uint8_t n = 0; n < 3; ++n) nodes[n] = column(f, i + n - 1, row >> 8, down);
+    at = i;
+    const Blend across = blend_of(place & 255);
+    Pair sum = {0, 0};
+    for (uint8_t n = 0; n < 3; ++n) {
+      sum.a += nodes[n].a * across.weight[n];
+      sum.b += nodes[n].b * across.weight[n];
+    }
+    to_direction(f, sum, c2 + k, s2 + k);
+  }
+}
+
+}  // namespace dapple::stencil
