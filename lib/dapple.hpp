@@ -152,7 +152,7 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
   size_t most = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level), ground, domain.width, s.level);
+    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level), ground, domain.plane, domain.width, s.level);
     most = bytes > most ? bytes : most;
   }
   return 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1) + most;

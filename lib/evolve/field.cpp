@@ -24,7 +24,7 @@ static Work work_of(const Run& run, uint8_t* work) {
   w.radius = run.field_radius;
   w.window_row = grid::scratch_bytes(run.field.cell, run.field.width, w.radius);
   w.window = work;
-  w.held = reinterpret_cast<uint32_t*>(work + (2u * w.radius + 1u) * w.window_row);
+  w.held = reinterpret_cast<uint32_t*>(work + window_bytes(run.field.cell, run.field.width, w.radius));
   w.coarse = reinterpret_cast<int16_t*>(w.held + kCoarseRows);
   w.coarse_row = grid::scratch_bytes(grid::Cell::int16, run.field.width, 2) / 2;
   w.middle = w.coarse + kCoarseRows * w.coarse_row;
@@ -32,8 +32,11 @@ static Work work_of(const Run& run, uint8_t* work) {
   return w;
 }
 
+// On a torus that is not enlarged rows of the field are made where they are wanted.
+static bool made_in_place(const Run& run) { return run.stage.level == 0 && !run.domain.plane; }
+
 void forget_rows(const Run& run, uint8_t* work) {
-  if (run.field_radius == 0) return;
+  if (run.field_radius == 0 || made_in_place(run)) return;
   const Work w = work_of(run, work);
   for (uint8_t i = 0; i < kCoarseRows; ++i) w.held[i] = kNoRow;
 }
@@ -75,30 +78,37 @@ static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
     out[x - 1] = out[at_level(static_cast<uint16_t>(shift + x - 1), level) - first];
 }
 
-// Cells of coarse row y from `first` on are made into `out` with two cells before and behind; on the plane from a
-// multiple of 32 cells on. Returns the place of cell `first`.
-static int16_t* make_coarse(const Run& run, const Work& w, int32_t y, uint16_t first, uint16_t count, int16_t* out) {
+// The field of the grid's row y: `count` cells from x on, which on the plane is a multiple of 32 and on a torus 0.
+static void make_row(const Run& run, const Work& w, int32_t y, uint16_t x, uint16_t count, int16_t* out) {
   int32_t values[kMaxValues] = {};
   grid::Rows rows = rows_of(run, values);
-  const bool plane = run.domain.plane;
   const uint16_t height = run.field.height;
   rows.scratch = nullptr;
-  rows.x = plane ? static_cast<uint16_t>((first - 2) & ~31) : static_cast<uint16_t>(0);
-  rows.n = plane ? static_cast<uint16_t>(first + count + 2 - rows.x) : run.field.width;
+  rows.x = x;
+  rows.n = count;
   rows.y = static_cast<uint16_t>(y);
   for (int32_t k = -w.radius; k <= w.radius; ++k) {
-    const int32_t at = plane ? y + k : (y + k % height + height) % height;
-    const uint8_t* row = row_of(run.field, 0, static_cast<uint16_t>(at)) + grid::cell_bytes(run.field.cell, rows.x);
-    if (!plane) {
+    const int32_t at = run.domain.plane ? y + k : (y + k % height + height) % height;
+    const uint8_t* row = row_of(run.field, 0, static_cast<uint16_t>(at)) + grid::cell_bytes(run.field.cell, x);
+    if (!run.domain.plane) {
       uint8_t* copy = w.window + static_cast<size_t>(k + w.radius) * w.window_row + grid::halo_bytes(run.field.cell, w.radius);
       grid::copy_row(run.field.cell, copy, row, run.field.width, w.radius);
       row = copy;
     }
     rows.in[k + w.radius] = row;
   }
-  rows.out[0] = plane ? out : out + 2;
+  rows.out[0] = out;
   grid::choose(run.kernels, run.solver.field)(rows);
-  if (plane) return out + (first - rows.x);
+}
+
+// The same with two cells before and behind. Returns the place of cell `first`.
+static int16_t* make_coarse(const Run& run, const Work& w, int32_t y, uint16_t first, uint16_t count, int16_t* out) {
+  if (run.domain.plane) {
+    const uint16_t x = static_cast<uint16_t>((first - 2) & ~31);
+    make_row(run, w, y, x, static_cast<uint16_t>(first + count + 2 - x), out);
+    return out + (first - x);
+  }
+  make_row(run, w, y, 0, run.field.width, out + 2);
   grid::wrap_row(grid::Cell::int16, out + 2, run.field.width, 2);
   return out + 2;
 }
@@ -162,7 +172,9 @@ void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
   const Work w = work_of(run, work);
   const uint16_t world = static_cast<uint16_t>(y + offset_y(run));
   const uint8_t level = run.stage.level;
-  if (level == 0) {
+  if (made_in_place(run)) {
+    make_row(run, w, world, 0, run.domain.width, out);
+  } else if (level == 0) {
     const int16_t* row = coarse_row(run, w, world);
     for (uint16_t x = 0; x < run.domain.width; ++x) out[x] = row[x];
   } else if (level == 1) {

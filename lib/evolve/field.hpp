@@ -8,13 +8,19 @@ namespace dapple::evolve {
 // Rows of coarse field that are kept while fine ones are made of them.
 constexpr uint8_t kCoarseRows = 4;
 
-// Bytes of work field_row needs: the model's work rows; or, where the field has neighbours, their rows with halo, the
-// coarse rows at hand with a halo of two cells and their numbers, and two rows on the way to a fourfold enlargement.
-constexpr size_t field_bytes(const Model& model, const Reach& reach, const Ground& ground, uint16_t width, uint8_t level) {
+constexpr size_t window_bytes(grid::Cell cell, uint16_t width, uint8_t radius) {
+  return grid::align4((2u * radius + 1u) * grid::scratch_bytes(cell, width, radius));
+}
+
+// Bytes of work field_row needs: the model's work rows; or, where the field has neighbours, their rows with halo and, but
+// for a torus that is not enlarged, the coarse rows at hand with a halo of two cells and their numbers, and two rows on the
+// way to a fourfold enlargement.
+constexpr size_t field_bytes(const Model& model, const Reach& reach, const Ground& ground, bool plane, uint16_t width, uint8_t level) {
   const size_t own = model.work_rows * grid::row_bytes(grid::Cell::int16, ground.width);
   if (reach.field_radius == 0) return own;
   const uint16_t coarse = at_level(ground.width, level);
-  const size_t window = (2u * reach.field_radius + 1u) * grid::scratch_bytes(model.cell, coarse, reach.field_radius);
+  const size_t window = window_bytes(model.cell, coarse, reach.field_radius);
+  if (level == 0 && !plane) return window;
   return window + kCoarseRows * (sizeof(uint32_t) + grid::scratch_bytes(grid::Cell::int16, coarse, 2)) +
          (level > 1 ? 2 : 0) * grid::row_bytes(grid::Cell::int16, static_cast<uint16_t>(width / 2 + 4));
 }

@@ -16,7 +16,7 @@ static Windows windows_of(const Field& field, const Sweep& sweep, uint8_t index)
   const size_t before = grid::halo_bytes(field.cell, sweep.halo);
   const size_t row = grid::scratch_bytes(field.cell, field.width, sweep.halo);
   return {field.scratch + index * field.band_bytes + before, row,
-          row * window_rows(sweep.radius, field.bands), sweep.radius};
+          grid::align4(row * window_rows(sweep.radius, field.bands)), sweep.radius};
 }
 
 static uint8_t* slot_of(const Windows& w, uint8_t plane, uint16_t slot) { return w.base + plane * w.plane + slot * w.row; }

@@ -47,7 +47,7 @@ constexpr bool band_bytes(const Reach& reach, grid::Cell cell, uint16_t width, u
   const size_t window = grid::scratch_bytes(cell, width, reach.halo);
   total = 0;
   const bool fits =
-      base::add_bytes(total, static_cast<size_t>(window_rows(reach.radius, bands)) * reach.planes, window) &&
+      base::add_bytes(total, reach.planes, grid::align4(window_rows(reach.radius, bands) * window)) &&
       base::add_bytes(total, reach.halo_rows, grid::scratch_bytes(grid::Cell::int16, width, reach.halo)) &&
       base::add_bytes(total, reach.rows16, grid::row_bytes(grid::Cell::int16, width)) &&
       base::add_bytes(total, reach.rows32, grid::row_bytes(grid::Cell::int32, width)) &&

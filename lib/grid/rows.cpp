@@ -66,7 +66,7 @@ void wrap_row(Cell cell, void* row, uint16_t width, uint16_t halo) {
 }
 
 void copy_row(Cell cell, void* to, const void* from, uint16_t width, uint16_t halo) {
-  copy_bytes(to, from, row_bytes(cell, width));
+  copy_bytes(to, from, cell == Cell::bit ? (static_cast<size_t>(width) + 7) / 8 : row_bytes(cell, width));
   wrap_row(cell, to, width, halo);
 }
 

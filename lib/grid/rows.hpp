@@ -26,14 +26,12 @@ constexpr size_t cell_bytes(Cell cell, uint16_t count) {
 
 // Bytes before cell 0 of a scratch row whose halo has `halo` cells on either side.
 constexpr size_t halo_bytes(Cell cell, uint16_t halo) {
-  return cell == Cell::bit ? align4((static_cast<size_t>(halo) + 7) / 8)
-                           : align4(static_cast<size_t>(halo) * (cell == Cell::int16 ? 2 : 4));
+  return cell == Cell::bit ? (static_cast<size_t>(halo) + 7) / 8 : align4(static_cast<size_t>(halo) * (cell == Cell::int16 ? 2 : 4));
 }
 
-// Bytes of a scratch row: halo, cells, halo.
+// Bytes of a scratch row: halo, cells, halo. Rows of bits follow each other without a gap.
 constexpr size_t scratch_bytes(Cell cell, uint16_t width, uint16_t halo) {
-  return cell == Cell::bit ? 2 * halo_bytes(cell, halo) + align4((static_cast<size_t>(width) + 15) / 8)
-                           : 2 * halo_bytes(cell, halo) + row_bytes(cell, width);
+  return cell == Cell::bit ? 2 * halo_bytes(cell, halo) + (static_cast<size_t>(width) + 7) / 8 : 2 * halo_bytes(cell, halo) + row_bytes(cell, width);
 }
 
 struct Rows;

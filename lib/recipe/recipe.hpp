@@ -27,6 +27,8 @@ struct Preset {
 
 namespace dapple::recipe {
 
+constexpr bits::Living any_rho(const int32_t*) { return {INT32_MIN, INT32_MAX}; }
+
 // A model as text knows it: names, numbers, solvers (the first is the default), start and numbers of paint to begin with.
 struct Family {
   const char* name;
@@ -39,8 +41,8 @@ struct Family {
   Start start;
   int32_t low, high;
   uint8_t level = 0;
-  bits::Living (*living)(const int32_t* number) = nullptr;  // the thresholds rho between which a pattern lives
-  int32_t (*grown)(const int32_t* number) = nullptr;        // the wavelength these numbers grow, where the model's is a guess
+  bits::Living (*living)(const int32_t* number) = any_rho;  // the thresholds rho between which a pattern lives
+  int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
 };
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }

@@ -170,7 +170,7 @@ constexpr int32_t turned(int32_t angle, int32_t by) {
 constexpr bool tune(Reader& r, Word all, Stage& stage, uint8_t slot, const Number& range) {
   const int32_t wanted = r.wavelength >> (stage.model->coarse ? stage.level : 0);
   int32_t* number = stage.number;
-  if (r.family->grown == nullptr) {
+  if (!stage.model->coarse) {
     number[slot] = base::kMicro;
     const int32_t one = stage.model->wavelength(number);
     number[slot] = times(r.wavelength, base::kMicro, one);
@@ -198,7 +198,7 @@ constexpr bool tune(Reader& r, Word all, Stage& stage, uint8_t slot, const Numbe
 // A threshold that extinguishes the pattern is refused with the bounds that other numbers set.
 constexpr bool living(Reader& r, Word all, const int32_t* number) {
   const int8_t rho = slot_named(*r.family, "rho");
-  if (r.family->living == nullptr || rho < 0) return true;
+  if (rho < 0) return true;
   const bits::Living range = r.family->living(number);
   return schedule_within(number + rho, range.low, range.high) ||
          fail(r, out_of_range, r.schedule.length > 0 ? r.schedule : all, range.low, range.high);

@@ -9,10 +9,14 @@ void list(const Options& options);
 void grow(const Options& options);
 void info(const Options& options);
 void sheet(const Options& options);
+void rule(const Options& options);
 void stream(const Options& options);
 
 // Text as a JSON string.
 std::string json_text(const std::string& text);
+
+// What help says of rule, beside its options.
+std::string rule_help();
 
 std::string version_text();
 

@@ -26,6 +26,7 @@ const CommandEntry kCommands[] = {
     {"grow", in_grow, grow, 256, "NAME|RECIPE [key=value ...] [options]", "grow one texture and write it"},
     {"info", in_info, info, 256, "NAME|RECIPE [key=value ...] [options]", "its recipe, its memory, its work"},
     {"sheet", in_sheet, sheet, 128, "[options]", "one picture of all presets"},
+    {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]", "cell programs"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
 };
 
@@ -55,6 +56,7 @@ std::string command_help(const CommandEntry& entry) {
   const std::string size = std::to_string(entry.side);
   if (entry.command != in_list && entry.side != 0) text += "; --size is " + size + " if not given";
   text += "\n\n" + options_help(entry.command);
+  if (entry.command & in_rule) return text + rule_help();
   return entry.command & kTakesSubject ? text + keys_help() : text;
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "errors.hpp"
+#include "rule_styles.hpp"
 #include "recipe/word.hpp"
 #include "recipe/ramps.hpp"
 
@@ -121,7 +122,34 @@ void read_output(Options& o, const std::string& value) {
 
 constexpr const char* kViews = "colour|field|cells|height|normal";
 
+void read_any_size(Options& o, const std::string& value) {
+  const std::string pair = value.find('x') == std::string::npos ? value + "x" + value : value;
+  if (!read_pair(pair, 1, o.width, o.height)) refuse_value("--size", value, "N or WxH, each side from 8 (of complete 1) to 65535");
+}
+
+void read_start_file(Options& o, const std::string& value) {
+  if (value.empty()) refuse_value("--start", value, "the name of a file of run-length text");
+  o.start = value;
+}
+
+// Where a command has two options of a name, the first one counts.
 const Option kOptions[] = {
+    {"--size", "N|WxH", in_rule, "cells; sides from 8 (of complete 1) to 65535", read_any_size},
+    {"--start", "FILE", in_rule, "begin with the pattern of an RLE file, in the middle of a torus, and not with noise",
+     read_start_file},
+    {"--rle", nullptr, in_rule, "write the state as RLE, as -o FILE.rle does", [](Options& o, const std::string&) { o.rle = true; }},
+    {"--text", nullptr, in_rule, "write the state as text, to standard output if there is no -o",
+     [](Options& o, const std::string&) { o.text = true; }},
+    {"--map", nullptr, in_rule, "print the program as Golly's MAP, and grow nothing",
+     [](Options& o, const std::string&) { o.map = true; }},
+    {"--budget", "N", in_rule, "of complete: choices before it gives up (200000); else rows of work at once",
+     [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX), o.tries = o.budget; }},
+    {"--style", "STYLE", in_rule, "of random: uniform, inertia, mirror, outer-totalistic (inertia)",
+     [](Options& o, const std::string& v) { o.style = static_cast<uint8_t>(choice("--style", v, kStyles)); }},
+    {"--count", "N", in_rule, "of random: programs wanted, 1 to 1000 (24)",
+     [](Options& o, const std::string& v) { o.count = number("--count", v, 1, 1000); }},
+    {"--json", nullptr, in_rule, "of settle, score, complete and random: the answer as JSON",
+     [](Options& o, const std::string&) { o.json = true; }},
     {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
     {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
      read_size},
@@ -168,7 +196,7 @@ const Option& option_named(Command command, const std::string& name) {
   for (const Option& option : kOptions) {
     if ((option.commands & command) == 0) continue;
     if (name == option.name) return option;
-    names.push_back(option.name);
+    if (std::find(names.begin(), names.end(), option.name) == names.end()) names.push_back(option.name);
   }
   refuse("unknown option " + shown(name) + "; there is " + listed(names) + ", --help");
 }
@@ -182,7 +210,10 @@ bool is_change(const std::string& word) {
 
 void read_plain_word(Command command, const std::string& word, Options& options) {
   const bool subject = (command & kTakesSubject) != 0;
-  if (subject && options.subject.empty() && !is_change(word)) {
+  if ((command & in_rule) != 0 && (options.subject.empty() || (options.verb.empty() && !is_change(word)))) {
+    if (word.empty()) refuse("'' is not a cell program; give a number, MAP..., or random");
+    (options.subject.empty() ? options.subject : options.verb) = word;
+  } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
   } else if (subject && is_change(word)) {
@@ -205,6 +236,8 @@ void read_options(Command command, const std::vector<std::string>& words, Option
       refuse(std::string(option.name) + " needs a value: " + option.value);
     option.read(options, option.value != nullptr ? words[i] : "");
   }
+  if ((command & in_rule) != 0 && options.subject.empty())
+    refuse("the cell program is missing; give a number, MAP..., or random");
   if ((command & kTakesSubject) != 0 && options.subject.empty())
     refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
   if (options.at && options.repeat)
@@ -216,7 +249,7 @@ std::string options_help(Command command) {
   constexpr size_t kColumn = 22;
   std::string text;
   for (const Option& option : kOptions) {
-    if ((option.commands & command) == 0) continue;
+    if ((option.commands & command) == 0 || &option != &option_named(command, option.name)) continue;
     std::string left = std::string("  ") + option.name + (option.value != nullptr ? " " : "");
     left += option.value != nullptr ? option.value : "";
     left.resize(std::max(kColumn, left.size() + 2), ' ');

@@ -9,7 +9,7 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16 };
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32 };
 constexpr unsigned kTakesSubject = in_grow | in_info | in_stream;  // NAME|RECIPE [key=value ...]
 
 // A pixel of the endless plane.
@@ -34,6 +34,10 @@ struct Options {
   uint32_t budget = 1024;         // rows
   uint8_t bands = 1;
   uint32_t frames = 0;            // of stream; 0: not given
+  std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
+  std::optional<uint8_t> style;   // a Style
+  std::optional<uint32_t> count, tries;
+  bool map = false, rle = false, text = false;
   bool dither = false, flip_y = false, hash = false, json = false;
 };
 

@@ -218,7 +218,7 @@ static std::vector<TileSize> tile_sizes(uint16_t width, uint16_t height) {
   return sizes;
 }
 
-Completed complete(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget) {
+Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget) {
   Completed done{Answer::unknown, std::nullopt, width, height, {}};
   Completion whole(program, width, height);
   done.answer = search_varied(whole, seed, budget, done.effort, done.state);

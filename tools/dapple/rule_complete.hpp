@@ -75,7 +75,7 @@ struct Completed {
 
 // Searches the torus itself and, when the budget is spent, small ones that fill it when they are repeated. A state that
 // is the same everywhere is the last resort. A stable state is checked by a step.
-Completed complete(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget);
+Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget);
 
 const char* name_of(Answer answer);
 

@@ -49,15 +49,20 @@ static Counts counts_of(const Torus& torus) {
   return counts;
 }
 
-// sum of n log2 n over the contexts, less that over contexts and states; at most 2^32 32 65536 < 2^54.
-static int32_t entropy_of(const Counts& counts, uint64_t cells) {
-  uint64_t sum = 0;
-  const auto share = [](uint64_t n) { return n == 0 ? 0 : n * log2_q16(n); };
-  for (const auto& n : counts.of) {
-    const uint64_t both = share(n[0] + n[1]), apart = share(n[0]) + share(n[1]);
-    sum += both - std::min(both, apart);
-  }
-  return static_cast<int32_t>(sum / cells);
+// Bits to tell n cells from m others, Q16: (n + m) log2 (n + m) - n log2 n - m log2 m; at most 2^32 32 65536 < 2^54.
+static uint64_t bits_of(uint64_t n, uint64_t m) {
+  const auto part = [](uint64_t k) { return k == 0 ? 0 : k * log2_q16(k); };
+  const uint64_t both = part(n + m), apart = part(n) + part(m);
+  return both - std::min(both, apart);
+}
+
+static void measure_entropy(const Torus& torus, Score& s) {
+  const Counts counts = counts_of(torus);
+  uint64_t given = 0;
+  for (const auto& n : counts.of) given += bits_of(n[0], n[1]);
+  const uint64_t alone = bits_of(torus.count(), torus.cells() - torus.count());
+  s.entropy = static_cast<int32_t>(given / torus.cells());
+  s.disorder = alone < kOne ? 0 : static_cast<int32_t>(std::min<uint64_t>(given / (alone / kOne), kOne));
 }
 
 // (P(both on) - p p) / (p (1 - p)) over pairs across and down; products of counts fit 64 bits after a common shift.
@@ -87,7 +92,7 @@ Score score_of(const Torus& torus, uint32_t program, const Settled& settled) {
   next.step(program);
   Score s{};
   s.density = ratio(torus.count(), torus.cells());
-  s.entropy = entropy_of(counts_of(torus), torus.cells());
+  measure_entropy(torus, s);
   s.correlation = correlation_of(torus);
   s.activity = ratio(next.count_different(torus), torus.cells());
   s.settled = settled;
@@ -96,7 +101,7 @@ Score score_of(const Torus& torus, uint32_t program, const Settled& settled) {
   if (settled.kind != Settled::no) s.total += kOne * 2 / 5;
   if (s.activity < kOne / 10) s.total += kOne * 3 / 10;
   s.nice = s.density >= kOne / 20 && s.density <= kOne - kOne / 20 && s.entropy > kOne * 8 / 100 &&
-           s.entropy < kOne * 60 / 100;
+           s.entropy < kOne * 60 / 100 && s.disorder <= kOne * 58 / 100;
   return s;
 }
 

@@ -63,7 +63,7 @@ int32_t distance_of(const Patches& a, const Patches& b) {
 
 // The nice ones among the first programs of the style, no two of them turned, mirrored or inverted.
 static std::vector<Found> nice_ones(const Search& search, const std::function<void(uint64_t, uint64_t)>& progress) {
-  constexpr uint64_t kTries = 256, kEnough = 6;  // for each one wanted
+  constexpr uint64_t kTries = 256, kEnough = 12;  // for each one wanted
   std::vector<Found> nice;
   std::set<uint32_t> seen;
   Torus start(search.width, search.height);
@@ -85,7 +85,7 @@ std::vector<Found> search_nice(const Search& search, const std::function<void(ui
   std::stable_sort(nice.begin(), nice.end(), [](const Found& a, const Found& b) { return a.score.total > b.score.total; });
   // Different ones first, and less different ones as long as there are not enough.
   std::vector<bool> taken(nice.size());
-  for (int32_t apart = kOne / 3; apart > 0 && chosen.size() < search.count; apart /= 2)
+  for (int32_t apart = kOne / 2; apart > 0 && chosen.size() < search.count; apart -= kOne / 16)
     for (size_t i = 0; i < nice.size() && chosen.size() < search.count; ++i) {
       const auto near = [&](const Found& other) { return distance_of(nice[i].patches, other.patches) < apart; };
       if (taken[i] || std::any_of(chosen.begin(), chosen.end(), near)) continue;
