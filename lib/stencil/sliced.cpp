@@ -122,7 +122,13 @@ void field_row(const grid::Rows& rows) {
     one_word(rows, job, at, most);
     int16_t* out = grid::out16(rows, 0) + 8 * at;
     const uint8_t count = static_cast<uint8_t>(base::min(bits, static_cast<int32_t>(rows.n - 8 * at)));
-    for (uint8_t i = 0; i < count; ++i) out[i] = field_value(scale, cell_of(most, i));
+    if (job.both) {
+      for (uint8_t i = 0; i < count; ++i) out[i] = field_value(scale, cell_of(most, i));
+      continue;
+    }
+    int8_t d[bits];
+    values_of(most, d);
+    for (uint8_t i = 0; i < count; ++i) out[i] = field_value(scale, d[i]);
   }
 }
 

@@ -162,6 +162,25 @@ template <class W> inline W* keep_sum(const grid::Rows& rows, const MaskSet& set
   return sum;
 }
 
+// Turns an 8 x 8 matrix of bits: bit i of byte k becomes bit k of byte i [Warren, Hacker's Delight 7-3].
+inline uint64_t turned(uint64_t x) {
+  uint64_t t = (x ^ (x >> 7)) & UINT64_C(0x00aa00aa00aa00aa);
+  x ^= t ^ (t << 7);
+  t = (x ^ (x >> 14)) & UINT64_C(0x0000cccc0000cccc);
+  x ^= t ^ (t << 14);
+  t = (x ^ (x >> 28)) & UINT64_C(0x00000000f0f0f0f0);
+  return x ^ t ^ (t << 28);
+}
+
+// Every cell of a bit-sliced number whose values fit int8.
+template <class W> inline void values_of(const W* sum, int8_t* out) {
+  for (uint8_t at = 0; at < sizeof(W) * 8; at = static_cast<uint8_t>(at + 8)) {
+    uint64_t eight = 0;
+    for (uint8_t k = 0; k < 8; ++k) eight |= static_cast<uint64_t>(static_cast<uint8_t>(sum[k] >> at)) << (8 * k);
+    base::store_word(reinterpret_cast<uint8_t*>(out) + at, turned(eight));
+  }
+}
+
 // Cell i of a bit-sliced number.
 template <class W> inline int16_t cell_of(const W* sum, uint8_t i) {
   uint16_t d = 0;

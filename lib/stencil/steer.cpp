@@ -50,39 +50,44 @@ bool make_steerable(const MaskShape& shape, Mask* masks, int16_t& sum) {
   return false;
 }
 
-// What the five masks give in one cell: |d| <= 127.
+constexpr uint8_t kBlock = 64;  // cells at a time
+
+// What the five masks give in a block of cells: |d| <= 127.
 struct Sums {
-  int16_t d[kSteerable];
+  int8_t d[kSteerable][kBlock];
 };
 
-// 128 D: |128 * 127 * 5| = 81280.
-static int32_t steered(const SteerSet& set, const Sums& sums, int8_t c, int8_t s) {
-  int32_t most = INT32_MIN;
-  for (uint8_t t = 0; t < set.threads; ++t) {
-    const int32_t c2 = (static_cast<int32_t>(c) * set.c2[t] - static_cast<int32_t>(s) * set.s2[t] + 64) >> 7;
-    const int32_t s2 = (static_cast<int32_t>(s) * set.c2[t] + static_cast<int32_t>(c) * set.s2[t] + 64) >> 7;
-    const int32_t c4 = (c2 * c2 - s2 * s2 + 64) >> 7, s4 = (2 * c2 * s2 + 64) >> 7;
-    const int32_t d = INT32_C(128) * sums.d[0] + c2 * sums.d[1] + s2 * sums.d[2] + c4 * sums.d[3] + s4 * sums.d[4];
-    most = d > most ? d : most;
+// 128 D of thread t, and the maximum with what is there: |128 * 127 * 5| = 81280.
+static void steer(const SteerSet& set, uint8_t t, const Sums& sums, const int8_t* c, const int8_t* s, int32_t* most) {
+  const int16_t tc = set.c2[t], ts = set.s2[t];
+  for (uint8_t i = 0; i < kBlock; ++i) {
+    const int16_t c2 = static_cast<int16_t>((c[i] * tc - s[i] * ts + 64) >> 7);
+    const int16_t s2 = static_cast<int16_t>((s[i] * tc + c[i] * ts + 64) >> 7);
+    const int16_t c4 = static_cast<int16_t>((static_cast<int32_t>(c2) * c2 - static_cast<int32_t>(s2) * s2 + 64) >> 7);
+    const int16_t s4 = static_cast<int16_t>((INT32_C(2) * c2 * s2 + 64) >> 7);
+    const int32_t d = INT32_C(128) * sums.d[0][i] + static_cast<int32_t>(c2) * sums.d[1][i] + static_cast<int32_t>(s2) * sums.d[2][i] +
+                      static_cast<int32_t>(c4) * sums.d[3][i] + static_cast<int32_t>(s4) * sums.d[4][i];
+    most[i] = d > most[i] ? d : most[i];
   }
-  return most;
 }
 
 static const SteerSet& steer_set(const grid::Rows& rows) { return *reinterpret_cast<const SteerSet*>(rows.table); }
 
 // Hands `count` cells from x on to the row's end: bits of a step, or values of the field (8000 D / P; 81280 * 20480 < 2^31).
-static void finish(const grid::Rows& rows, bool field, int32_t x, uint8_t count, const Sums* sums) {
+static void finish(const grid::Rows& rows, bool field, int32_t x, uint8_t count, const Sums& sums) {
   const SteerSet& set = steer_set(rows);
-  int8_t c2[64], s2[64];
+  int8_t c2[kBlock] = {}, s2[kBlock] = {};
+  int32_t most[kBlock];
+  for (int32_t& d : most) d = INT32_MIN;
   directions(set.field, static_cast<int32_t>(rows.x) + x, rows.y, count, c2, s2);
+  for (uint8_t t = 0; t < set.threads; ++t) steer(set, t, sums, c2, s2, most);
   const int32_t threshold = INT32_C(128) * threshold_of(rows.p[1], set.masks.sum);
   const int32_t factor = field_scale(set.masks.sum).factor;
   for (uint8_t i = 0; i < count; ++i) {
-    const int32_t d = steered(set, sums[i], c2[i], s2[i]);
     if (field)
-      grid::out16(rows, 0)[x + i] = static_cast<int16_t>(base::clamp((d * factor + 16384) >> 15, -kFieldUnit, kFieldUnit));
+      grid::out16(rows, 0)[x + i] = static_cast<int16_t>(base::clamp((most[i] * factor + 16384) >> 15, -kFieldUnit, kFieldUnit));
     else
-      grid::put_bit(static_cast<uint8_t*>(rows.out[0]), x + i, d > threshold);
+      grid::put_bit(static_cast<uint8_t*>(rows.out[0]), x + i, most[i] > threshold);
   }
 }
 
@@ -97,12 +102,9 @@ void steer_row(const grid::Rows& rows) {
   const MaskSet& set = steer_set(rows).masks;
   Kept<W> kept = kept_of<W>(set, rows.scratch);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W), kept.words += kept.column) {
-    Sums sums[kBits];
+    Sums sums = {};
     keep_copies(rows, kept, at);
-    for (uint8_t m = 0; m < kSteerable; ++m) {
-      const W* sum = keep_sum(rows, set, kept, m, -1);
-      for (uint8_t i = 0; i < kBits; ++i) sums[i].d[m] = cell_of(sum, i);
-    }
+    for (uint8_t m = 0; m < kSteerable; ++m) values_of(keep_sum(rows, set, kept, m, -1), sums.d[m]);
     finish(rows, false, static_cast<int32_t>(8 * at), cells_left(rows, at), sums);
   }
 }
@@ -111,13 +113,13 @@ void steer_field(const grid::Rows& rows) {
   const MaskSet& set = steer_set(rows).masks;
   const uint8_t side = static_cast<uint8_t>(2 * set.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W)) {
-    Sums sums[kBits];
+    Sums sums = {};
     W copies[kLargestSide * kLargestSide], sum[kSumBits];
     for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
     for (uint8_t m = 0; m < kSteerable; ++m) {
       set_number(static_cast<int16_t>(-1), sum);
       add_taps(whole_of(set, m), copies, sum);
-      for (uint8_t i = 0; i < kBits; ++i) sums[i].d[m] = cell_of(sum, i);
+      values_of(sum, sums.d[m]);
     }
     finish(rows, true, static_cast<int32_t>(8 * at), cells_left(rows, at), sums);
   }
@@ -128,11 +130,11 @@ static void by_table(const grid::Rows& rows, bool field) {
   const MaskSet& set = steer_set(rows).masks;
   for (uint32_t x = 0; x < rows.n; x += kTableBlock) {
     const uint8_t count = static_cast<uint8_t>(base::min(kTableBlock, static_cast<int32_t>(rows.n - x)));
-    Sums sums[kTableBlock];
+    Sums sums = {};
     for (uint8_t m = 0; m < kSteerable; ++m) {
       int16_t d[kTableBlock];
       sums_by_table(set, m, rows, static_cast<int32_t>(x), count, d);
-      for (uint8_t i = 0; i < count; ++i) sums[i].d[m] = d[i];
+      for (uint8_t i = 0; i < count; ++i) sums.d[m][i] = static_cast<int8_t>(d[i]);
     }
     finish(rows, field, static_cast<int32_t>(x), count, sums);
   }

@@ -115,21 +115,49 @@ def ended_by(command, ending, size=(60, 16)):
     return t
 
 
+def under_a_shell(command):
+    """Runs the command as a shell would: suspended, it is told so and goes on."""
+    child = os.fork()
+    if child == 0:
+        os.setpgid(0, 0)
+        signal.signal(signal.SIGTTOU, signal.SIG_IGN)
+        os.tcsetpgrp(1, os.getpid())
+        signal.signal(signal.SIGTTOU, signal.SIG_DFL)
+        os.execv(command[0], command)
+    status = os.waitpid(child, os.WUNTRACED)[1]
+    if os.WIFSTOPPED(status):
+        time.sleep(0.2)
+        os.write(1, b"suspended")
+        time.sleep(0.2)
+        os.kill(child, signal.SIGCONT)
+        status = os.waitpid(child, 0)[1]
+    sys.exit(os.waitstatus_to_exitcode(status))
+
+
 def suspended(command):
-    t = Terminal(60, 16, command)
+    t = Terminal(60, 16, [sys.executable, os.path.abspath(__file__), "under_a_shell"] + command)
     t.wait_for(b" frame 3 ")
-    os.kill(t.child, signal.SIGTSTP)
-    while not os.WIFSTOPPED(os.waitpid(t.child, os.WUNTRACED | os.WNOHANG)[1]):
-        t.read(0.02)
-    while t.read(0.05):
-        pass
+    t.press(b"\x1a")
+    t.wait_for(b"suspended")
+    seen, t.seen = t.seen, t.seen[:-len(b"suspended")]
     t.check_restored()
-    os.kill(t.child, signal.SIGCONT)
+    t.seen = seen
     t.wait_for(ENTERED)
     t.wait_for(b" frame ")
     t.press(b"q")
     assert t.ends() == 0
     t.check_restored()
+
+
+def gone(command):
+    """The terminal goes away."""
+    t = Terminal(60, 16, command)
+    t.wait_for(b" frame 3 ")
+    os.close(t.master)
+    end = time.time() + 10
+    while not os.waitpid(t.child, os.WNOHANG)[0]:
+        assert time.time() < end, "it does not end"
+        time.sleep(0.05)
 
 
 def steered(command):
@@ -159,10 +187,13 @@ def terminal(*command):
     assert len(line) == 6 and line[0].count("\u2580") == 24, "not 24 x 10 pixels"
     suspended(command)
     steered(command)
+    gone(command)
     t = Terminal(60, 16, command + ["--frames", "4"], keyboard=False)
     assert t.ends() == 0
     t.check_restored()
 
 
 if __name__ == "__main__":
-    {"part": part, "frame": frame, "terminal": terminal}[sys.argv[1]](*sys.argv[2:])
+    what, words = sys.argv[1], sys.argv[2:]
+    {"part": part, "frame": frame, "terminal": terminal, "under_a_shell": lambda *command: under_a_shell(list(command))}[
+        what](*words)

@@ -20,8 +20,12 @@ struct Figure {
 // Wavelength of the stage with the longest one, 1/kMicro cells.
 int32_t wavelength_of(const dapple::Recipe& recipe) {
   int32_t longest = 0;
-  for (uint8_t i = 0; i < recipe.stages; ++i)
-    longest = std::max(longest, recipe.stage[i].model->wavelength(recipe.stage[i].number));
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const dapple::Stage& stage = recipe.stage[i];
+    const bool coarse = stage.model->coarse;
+    const int32_t length = coarse ? family_of(recipe).grown(stage.number) << stage.level : stage.model->wavelength(stage.number);
+    longest = std::max(longest, length);
+  }
   return longest;
 }
 

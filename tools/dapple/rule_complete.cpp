@@ -13,8 +13,8 @@ constexpr unsigned kSlots = 5;
 constexpr uint32_t kOn[kSlots] = {0xaaaaaaaa, 0xcccccccc, 0xf0f0f0f0, 0xff00ff00, 0xffff0000};
 constexpr unsigned kMirrored[kSlots] = {0, 2, 1, 4, 3};  // the slot a cell has in the neighbourhood of its neighbour
 
-constexpr uint32_t kLooks = 16;        // open cells among which one is chosen
-constexpr uint64_t kFirstLimit = 50;   // dead ends before the first restart; half as many again each time
+constexpr uint32_t kLooks = 16;       // open cells among which one is chosen
+constexpr uint64_t kFirstLimit = 50;  // dead ends before the first restart; half as many again each time
 
 static unsigned count_bits(uint32_t mask) {
   unsigned count = 0;
@@ -22,8 +22,14 @@ static unsigned count_bits(uint32_t mask) {
   return count;
 }
 
-Completion::Completion(uint32_t program, uint16_t width, uint16_t height)
-    : allowed_(0), width_(width), height_(height), cells_(width_ * height_), mask_(cells_), value_(cells_) {
+Completion::Completion(uint32_t program, uint16_t width, uint16_t height, const Report& report)
+    : allowed_(0),
+      report_(report),
+      width_(width),
+      height_(height),
+      cells_(width_ * height_),
+      mask_(cells_),
+      value_(cells_) {
   for (unsigned k = 0; k < 32; ++k)
     if ((program >> k & 1) == (k & 1)) allowed_ |= UINT32_C(1) << k;
 }
@@ -32,11 +38,16 @@ Completion::Completion(uint32_t program, uint16_t width, uint16_t height)
 uint32_t Completion::around(uint32_t cell, unsigned slot) const {
   const uint32_t x = cell % width_;
   switch (slot) {
-    case 1: return cell + width_ < cells_ ? cell + width_ : x;
-    case 2: return cell >= width_ ? cell - width_ : cells_ - width_ + x;
-    case 3: return x + 1 < width_ ? cell + 1 : cell - x;
-    case 4: return x > 0 ? cell - 1 : cell + width_ - 1;
-    default: return cell;
+    case 1:
+      return cell + width_ < cells_ ? cell + width_ : x;
+    case 2:
+      return cell >= width_ ? cell - width_ : cells_ - width_ + x;
+    case 3:
+      return x + 1 < width_ ? cell + 1 : cell - x;
+    case 4:
+      return x > 0 ? cell - 1 : cell + width_ - 1;
+    default:
+      return cell;
   }
 }
 
@@ -136,7 +147,7 @@ Answer Completion::try_once(uint32_t seed, uint64_t choices, uint64_t dead_ends,
     if (made == choices) return Answer::unknown;
     if (!choose(seed)) return Answer::stable;
     ++made;
-    ++effort.choices;
+    if (++effort.choices % 256 == 0 && report_) report_(made, choices);
   }
 }
 
@@ -148,8 +159,7 @@ Answer Completion::search_from(uint32_t seed, uint64_t budget, Effort& effort) {
     choices_.clear();
     first_open_ = 0;
     take_back(changes, settled);
-    const Answer answer =
-        try_once(dapple::base::mix(seed + effort.restarts), end - effort.choices, limit, effort);
+    const Answer answer = try_once(dapple::base::mix(seed + effort.restarts), end - effort.choices, limit, effort);
     if (answer != Answer::unknown) return answer;
   }
   return Answer::unknown;
@@ -183,8 +193,10 @@ static Answer search_varied(Completion& completion, uint32_t seed, uint64_t budg
   if (answer != Answer::stable) return answer;
   state = completion.state();
   if (!uniform(*state)) return answer;
-  const uint16_t x = static_cast<uint16_t>(seed % state->width()), y = static_cast<uint16_t>(seed / 65536 % state->height());
-  if (completion.search_with(x, y, !state->get(0, 0), seed, budget, effort) == Answer::stable) state = completion.state();
+  const uint16_t x = static_cast<uint16_t>(seed % state->width()),
+                 y = static_cast<uint16_t>(seed / 65536 % state->height());
+  if (completion.search_with(x, y, !state->get(0, 0), seed, budget, effort) == Answer::stable)
+    state = completion.state();
   return answer;
 }
 
@@ -200,7 +212,7 @@ struct TileSize {
   uint16_t width, height;
 };
 
-// Sizes that fill the torus when they are repeated, the largest first. Stripes may be as long as the torus.
+// Sizes that fill the torus when they are repeated, the widest first. Stripes may be as long as the torus.
 static std::vector<TileSize> tile_sizes(uint16_t width, uint16_t height) {
   constexpr uint32_t kLongest = 16, kCells = 256, kStripe = 2;
   std::vector<TileSize> sizes;
@@ -213,20 +225,22 @@ static std::vector<TileSize> tile_sizes(uint16_t width, uint16_t height) {
       if (small || stripe) sizes.push_back({static_cast<uint16_t>(w), static_cast<uint16_t>(h)});
     }
   std::stable_sort(sizes.begin(), sizes.end(), [](const TileSize& a, const TileSize& b) {
-    return uint32_t{a.width} * a.height > uint32_t{b.width} * b.height;
+    const uint16_t narrow_a = std::min(a.width, a.height), narrow_b = std::min(b.width, b.height);
+    return narrow_a != narrow_b ? narrow_a > narrow_b : a.width + a.height > b.width + b.height;
   });
   return sizes;
 }
 
-Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget) {
+Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget,
+                      const Report& report) {
   Completed done{Answer::unknown, std::nullopt, width, height, {}};
-  Completion whole(program, width, height);
+  Completion whole(program, width, height, report);
   done.answer = search_varied(whole, seed, budget, done.effort, done.state);
   if (done.answer != Answer::unknown) return done;
   for (const TileSize& size : tile_sizes(width, height)) {
     Completion small(program, size.width, size.height);
     std::optional<Torus> tile;
-    if (search_varied(small, seed, budget / 16, done.effort, tile) != Answer::stable) continue;
+    if (search_varied(small, seed, budget / 16 + 1, done.effort, tile) != Answer::stable) continue;
     if (done.state && uniform(*tile)) continue;  // another one of those
     done.answer = Answer::stable;
     done.state = repeated(*tile, width, height);

@@ -24,9 +24,10 @@ struct Effort {
 // One search on one torus.
 class Completion {
  public:
-  Completion(uint32_t program, uint16_t width, uint16_t height);
+  Completion(uint32_t program, uint16_t width, uint16_t height, const Report& report = {});
 
-  // Gives up, with `unknown`, after `budget` choices. `none` is proved. The seed decides the states that are tried first.
+  // Gives up, with `unknown`, after `budget` choices. `none` is proved. The seed decides the states that are tried
+  // first.
   Answer search(uint32_t seed, uint64_t budget, Effort& effort);
   // The same, with one cell given.
   Answer search_with(uint16_t x, uint16_t y, bool on, uint32_t seed, uint64_t budget, Effort& effort);
@@ -56,6 +57,7 @@ class Completion {
   Answer try_once(uint32_t seed, uint64_t choices, uint64_t dead_ends, Effort& effort);
 
   uint32_t allowed_;
+  Report report_;
   uint32_t width_, height_, cells_;
   uint32_t first_open_ = 0;
   size_t done_ = 0;  // settled cells whose consequences are drawn
@@ -68,14 +70,15 @@ class Completion {
 
 struct Completed {
   Answer answer;
-  std::optional<Torus> state;  // of stable
+  std::optional<Torus> state;        // of stable
   uint16_t tile_width, tile_height;  // of the part that was searched and then repeated; the whole size where it was not
   Effort effort;
 };
 
 // Searches the torus itself and, when the budget is spent, small ones that fill it when they are repeated. A state that
 // is the same everywhere is the last resort. A stable state is checked by a step.
-Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget);
+Completed find_stable(uint32_t program, uint16_t width, uint16_t height, uint32_t seed, uint64_t budget,
+                      const Report& report = {});
 
 const char* name_of(Answer answer);
 

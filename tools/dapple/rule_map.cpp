@@ -54,7 +54,8 @@ bool read_cell_program(const std::string& text, uint32_t& program, ProgramTroubl
   if (word.length == text.size() && dapple::recipe::read_program(word, program)) return true;
   const bool hex = text.size() > 2 && text[0] == '0' && text[1] == 'x';
   size_t bad = hex ? 2 : 0;
-  while (bad < text.size() && (hex ? dapple::recipe::hex_digit(text[bad]) >= 0 : dapple::recipe::digit(text[bad]))) ++bad;
+  while (bad < text.size() && (hex ? dapple::recipe::hex_digit(text[bad]) >= 0 : dapple::recipe::digit(text[bad])))
+    ++bad;
   trouble.column = bad == text.size() ? 1 : bad + 1;
   trouble.reason = "give 0 to 4294967295, 0x and at most eight hexadecimal digits, or MAP and six characters of base64";
   return false;

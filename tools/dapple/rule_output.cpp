@@ -27,7 +27,8 @@ class Painter {
   void paint(uint16_t y, uint8_t* rgb) {
     const uint32_t height = state_.height();
     for (uint32_t i = 0; i < 3; ++i) make_row(static_cast<uint16_t>((y + height + i - 1) % height), field_[i]);
-    const dapple::paint::Source source = {field_[0].data() + 1, field_[1].data() + 1, field_[2].data() + 1, state_.width(), y, 0, y};
+    const dapple::paint::Source source = {
+        field_[0].data() + 1, field_[1].data() + 1, field_[2].data() + 1, state_.width(), y, 0, y};
     dapple::paint::paint_row(shader_, brush_, source, rgb);
   }
 

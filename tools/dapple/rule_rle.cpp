@@ -105,7 +105,7 @@ class Reader {
     uint32_t& coordinate = c == '$' ? y_ : x_;
     if (!on && !off && c != '$')
       return fail(at_, (c >= 'A' && c <= 'X') || (c >= 'p' && c <= 'y') ? "there are more than two states"
-                                                                          : "b, o, $, ! or a number is expected");
+                                                                        : "b, o, $, ! or a number is expected");
     if (count > kMost - coordinate) return fail(begin, "the pattern has a side above " + std::to_string(kMost));
     if (on && count > 0) {
       pattern_.runs.push_back({x_, y_, count});

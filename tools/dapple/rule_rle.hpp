@@ -23,7 +23,7 @@ struct Run {
 struct Pattern {
   uint32_t width, height;  // the header's, or more where the cells go beyond it
   std::vector<Run> runs;
-  std::string rule;        // as the header has it; empty for none
+  std::string rule;  // as the header has it; empty for none
 };
 
 // Where and why a text was refused, from 1 on.

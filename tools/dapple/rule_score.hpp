@@ -14,8 +14,8 @@ struct Score {
   int32_t correlation;  // of neighbouring cells, corrected for the density: 1 patches, 0 noise, -1 a chessboard
   int32_t activity;     // share of the cells that the next step changes
   Settled settled;
-  int32_t total;        // (1 - |entropy - .35| / .35) + .8 max(0, correlation) + .4 if settled + .3 if activity < .1
-  bool nice;            // density .05 to .95, entropy .08 to .60, disorder at most .58: sparse dots are noise too
+  int32_t total;  // (1 - |entropy - .35| / .35) + .8 max(0, correlation) + .4 if settled + .3 if activity < .1
+  bool nice;      // density .05 to .95, entropy .08 to .60, disorder at most .58: sparse dots are noise too
 };
 
 constexpr int32_t kOne = 65536;

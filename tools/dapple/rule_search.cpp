@@ -15,9 +15,7 @@ static unsigned turned(unsigned patch) {
   for (unsigned i = 0; i < 9; ++i) result |= (patch >> i & 1) << (3 * (i % 3) + 2 - i / 3);
   return result;
 }
-static unsigned mirrored(unsigned patch) {
-  return (patch & 0111) << 2 | (patch & 0222) | (patch & 0444) >> 2;
-}
+static unsigned mirrored(unsigned patch) { return (patch & 0111) << 2 | (patch & 0222) | (patch & 0444) >> 2; }
 
 static std::array<uint16_t, 512> make_kinds() {
   std::array<uint16_t, 512> kinds{};
@@ -41,7 +39,8 @@ Patches patches_of(const Torus& torus) {
                                     torus.row(static_cast<uint16_t>((y + 1u) % height))};
     const auto column = [&](uint32_t x) {  // of the patch's three rows, the bits 0, 3 and 6
       unsigned bits = 0;
-      for (unsigned i = 0; i < 3; ++i) bits |= static_cast<unsigned>(dapple::grid::get_bit(rows[i], static_cast<int32_t>(x))) << 3 * i;
+      for (unsigned i = 0; i < 3; ++i)
+        bits |= static_cast<unsigned>(dapple::grid::get_bit(rows[i], static_cast<int32_t>(x))) << 3 * i;
       return bits;
     };
     unsigned patch = column(width - 1u) << 1 | column(0) << 2;
@@ -62,7 +61,7 @@ int32_t distance_of(const Patches& a, const Patches& b) {
 }
 
 // The nice ones among the first programs of the style, no two of them turned, mirrored or inverted.
-static std::vector<Found> nice_ones(const Search& search, const std::function<void(uint64_t, uint64_t)>& progress) {
+static std::vector<Found> nice_ones(const Search& search, const Report& report) {
   constexpr uint64_t kTries = 256, kEnough = 12;  // for each one wanted
   std::vector<Found> nice;
   std::set<uint32_t> seen;
@@ -71,7 +70,7 @@ static std::vector<Found> nice_ones(const Search& search, const std::function<vo
   for (uint64_t i = 0; i < kTries * search.count && nice.size() < kEnough * search.count; ++i) {
     const uint32_t program = random_program(search.style, search.seed, static_cast<uint32_t>(i));
     if (!seen.insert(representative(program)).second) continue;
-    progress(nice.size(), kEnough * search.count);
+    if (report) report(nice.size(), kEnough * search.count);
     Torus torus = start;
     const Settled settled = run(torus, program, search.steps);
     const Score score = score_of(torus, program, settled);
@@ -80,9 +79,10 @@ static std::vector<Found> nice_ones(const Search& search, const std::function<vo
   return nice;
 }
 
-std::vector<Found> search_nice(const Search& search, const std::function<void(uint64_t, uint64_t)>& progress) {
-  std::vector<Found> nice = nice_ones(search, progress), chosen;
-  std::stable_sort(nice.begin(), nice.end(), [](const Found& a, const Found& b) { return a.score.total > b.score.total; });
+std::vector<Found> search_nice(const Search& search, const Report& report) {
+  std::vector<Found> nice = nice_ones(search, report), chosen;
+  std::stable_sort(nice.begin(), nice.end(),
+                   [](const Found& a, const Found& b) { return a.score.total > b.score.total; });
   // Different ones first, and less different ones as long as there are not enough.
   std::vector<bool> taken(nice.size());
   for (int32_t apart = kOne / 2; apart > 0 && chosen.size() < search.count; apart -= kOne / 16)
@@ -92,7 +92,8 @@ std::vector<Found> search_nice(const Search& search, const std::function<void(ui
       taken[i] = true;
       chosen.push_back(nice[i]);
     }
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Found& a, const Found& b) { return a.score.total > b.score.total; });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Found& a, const Found& b) { return a.score.total > b.score.total; });
   return chosen;
 }
 

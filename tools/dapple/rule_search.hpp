@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
-#include <functional>
 
 #include "rule_score.hpp"
 #include "rule_styles.hpp"
@@ -31,6 +30,6 @@ struct Search {
 };
 
 // The best first; fewer than count where the style has no more. Every program starts from noise of the same seed.
-std::vector<Found> search_nice(const Search& search, const std::function<void(uint64_t done, uint64_t all)>& progress);
+std::vector<Found> search_nice(const Search& search, const Report& report);
 
 }  // namespace cli

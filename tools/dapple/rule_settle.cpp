@@ -16,11 +16,12 @@ static uint32_t period_of(const Torus& state, uint32_t program, uint32_t most) {
   return 0;
 }
 
-Settled run(Torus& torus, uint32_t program, uint32_t steps) {
+Settled run(Torus& torus, uint32_t program, uint32_t steps, const Report& report) {
   uint64_t ring[kLongestPeriod] = {torus.hash()};
   Settled settled{Settled::no, 0, 0};
   uint32_t step = 0;
   while (step < steps && settled.kind == Settled::no) {
+    if (report) report(step, steps);
     torus.step(program);
     const uint64_t hash = torus.hash();
     ++step;

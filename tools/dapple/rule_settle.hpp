@@ -15,7 +15,7 @@ struct Settled {
 
 // Steps the torus `steps` times. States are compared by hashes of the last kLongestPeriod; what looks like a period is
 // then stepped through and compared cell by cell, so two states that share a hash do no harm but to the first step.
-Settled run(Torus& torus, uint32_t program, uint32_t steps);
+Settled run(Torus& torus, uint32_t program, uint32_t steps, const Report& report = {});
 
 const char* name_of(Settled::Kind kind);
 

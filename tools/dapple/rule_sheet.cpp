@@ -75,8 +75,8 @@ void print_list(const std::vector<Found>& found, bool json) {
              : "%s%s  %s  score %s  density %s  entropy %s  disorder %s  correlation %6s  activity %s  settles %s\n";
     const char* const before = !json ? "" : &f == &found.front() ? "[\n  " : ",\n  ";
     std::printf(layout, before, hexadecimal(f.program).c_str(), map_of(f.program).c_str(), decimal(s.total).c_str(),
-                decimal(s.density).c_str(), decimal(s.entropy).c_str(), decimal(s.disorder).c_str(), decimal(s.correlation).c_str(),
-                decimal(s.activity).c_str(), name_of(s.settled.kind));
+                decimal(s.density).c_str(), decimal(s.entropy).c_str(), decimal(s.disorder).c_str(),
+                decimal(s.correlation).c_str(), decimal(s.activity).c_str(), name_of(s.settled.kind));
   }
   if (json) std::printf(found.empty() ? "[]\n" : "\n]\n");
   finish_standard_output();
@@ -84,7 +84,7 @@ void print_list(const std::vector<Found>& found, bool json) {
 
 }  // namespace
 
-void random_rules(const Options& options) {
+void rule_random(const Options& options) {
   const uint32_t steps = options.steps.value_or(kSteps), count = options.count.value_or(kCount);
   const Target target = target_of(options, "rules");
   if (target.path == "-") refuse("-o -: standard output is for the list of programs; give a file");

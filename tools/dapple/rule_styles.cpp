@@ -38,7 +38,8 @@ uint32_t random_program(Style style, uint32_t seed, uint32_t index) {
   return program;
 }
 
-template <class Change> static uint32_t changed(uint32_t program, Change change) {
+template <class Change>
+static uint32_t changed(uint32_t program, Change change) {
   uint32_t result = 0;
   for (unsigned k = 0; k < 32; ++k) result |= (program >> change(k) & 1) << k;
   return result;

@@ -3,10 +3,14 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace cli {
+
+// Called while work goes on; empty for nobody.
+using Report = std::function<void(uint64_t done, uint64_t all)>;
 
 class Torus {
  public:
@@ -26,7 +30,7 @@ class Torus {
   bool stable(uint32_t program) const;
 
   uint64_t hash() const;
-  uint64_t count() const;                            // cells that are on
+  uint64_t count() const;                              // cells that are on
   uint64_t count_different(const Torus& other) const;  // of the same size
   bool operator==(const Torus& other) const { return count_different(other) == 0; }
 
