@@ -8,13 +8,13 @@ namespace dapple {
 
 using api::kNoSlot;
 
-Status Chunks::begin(const Preset& preset, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush, void* memory,
-                     size_t bytes, const Options& options, ChunkNeed* need) {
+Status Chunks::begin(const Preset& preset, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush,
+                     void* memory, size_t bytes, const Options& options, ChunkNeed* need) {
   return start(&preset, nullptr, seed, side, slots, brush, memory, bytes, options, need);
 }
 
-Status Chunks::begin(const Recipe& recipe, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush, void* memory,
-                     size_t bytes, const Options& options, ChunkNeed* need) {
+Status Chunks::begin(const Recipe& recipe, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush,
+                     void* memory, size_t bytes, const Options& options, ChunkNeed* need) {
   return start(nullptr, &recipe, seed, side, slots, brush, memory, bytes, options, need);
 }
 
@@ -57,7 +57,8 @@ Status Chunks::start(const Preset* preset, const Recipe* recipe, uint32_t seed, 
 
 // The bucket's first slot, for reading and writing.
 uint16_t& Chunks::bucket_of(int32_t cx, int32_t cy) const {
-  const uint32_t mixed = base::mix(static_cast<uint32_t>(cx) * UINT32_C(0x9e3779b1) + base::mix(static_cast<uint32_t>(cy)));
+  const uint32_t mixed =
+      base::mix(static_cast<uint32_t>(cx) * UINT32_C(0x9e3779b1) + base::mix(static_cast<uint32_t>(cy)));
   return slot_[mixed % slots_].first;
 }
 

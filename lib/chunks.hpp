@@ -8,7 +8,8 @@
 //   // every frame
 //   world.look_at(x, y, 240, 160);
 //   while (time_is_left() && world.step(16) == dapple::more) {}
-//   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null while it is missing
+//   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null while it is
+//   missing
 //
 // Chunk (cx, cy) holds the cells (cx side, cy side) .. (cx side + side - 1, cy side + side - 1): the bytes of a window
 // grown there, whatever was looked at before, in whatever slices.
@@ -19,9 +20,7 @@
 namespace dapple {
 
 // chunk_at(cell, side) == floor(cell / side): the chunk a cell lies in, along either direction.
-constexpr int32_t chunk_at(int32_t cell, uint16_t side) {
-  return cell >= 0 ? cell / side : -1 - (-1 - cell) / side;
-}
+constexpr int32_t chunk_at(int32_t cell, uint16_t side) { return cell >= 0 ? cell / side : -1 - (-1 - cell) / side; }
 
 // The most chunks a view of width x height cells can touch, wherever it is: slots that never refuse it.
 constexpr uint32_t chunks_in_view(uint16_t side, uint16_t width, uint16_t height) {
@@ -76,7 +75,8 @@ constexpr uint8_t rows_a_line(Pixels format) { return format == Pixels::l1_pages
 
 // The most that the texture of any chunk needs: grids coarser than the picture are cut differently from place to place.
 // ask(domain) is what it needs in one place.
-template <class Ask> constexpr Need need_of_any(uint16_t side, Ask ask) {
+template <class Ask>
+constexpr Need need_of_any(uint16_t side, Ask ask) {
   Need most{};
   for (uint16_t i = 0; i == 0 || (most.status == ok && i < most.multiple); ++i) {
     const int32_t at = static_cast<int32_t>(i) * side;
@@ -96,8 +96,8 @@ constexpr ChunkNeed need_of_slots(const Need& texture, uint16_t side, uint16_t s
   need.working = texture.bytes;
   need.slot = sizeof(ChunkSlot) + 3;  // the pixels of every slot are aligned to four bytes
   const bool fits = base::add_bytes(need.pixels, lines, pixel_bytes(format, side)) &&
-                    base::add_bytes(need.slot, 1, need.pixels) && base::add_bytes(total, slots, need.slot & ~size_t{3}) &&
-                    base::add_bytes(total, 1, need.working);
+                    base::add_bytes(need.slot, 1, need.pixels) &&
+                    base::add_bytes(total, slots, need.slot & ~size_t{3}) && base::add_bytes(total, 1, need.working);
   need.slot &= ~size_t{3};
   if (fits) need.bytes = total;
   else need.status = too_large;
@@ -126,8 +126,8 @@ constexpr size_t chunk_bytes(const Preset& preset, uint16_t side, uint16_t slots
 // The struct and the memory are the whole state; no destructor needed.
 class Chunks {
  public:
-  // Checks everything, then readies an empty cache. The recipe and the memory must outlive it. On an error the object is as
-  // it was; `need`, if given, says what was wanted.
+  // Checks everything, then readies an empty cache. The recipe and the memory must outlive it. On an error the object
+  // is as it was; `need`, if given, says what was wanted.
   Status begin(const Preset& preset, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush, void* memory,
                size_t bytes, const Options& options = Options{}, ChunkNeed* need = nullptr);
   Status begin(const Recipe& recipe, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush, void* memory,
@@ -135,19 +135,22 @@ class Chunks {
   Status begin(Recipe&& recipe, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush, void* memory,
                size_t bytes, const Options& options = Options{}, ChunkNeed* need = nullptr) = delete;  // would dangle
 
-  // What is in sight: the cells (x, y) .. (x + width - 1, y + height - 1). A chunk that is at work and no longer in sight is
-  // abandoned; what it had done is lost. bad_side: nothing to see; too_far: beyond where windows can be;
+  // What is in sight: the cells (x, y) .. (x + width - 1, y + height - 1). A chunk that is at work and no longer in
+  // sight is abandoned; what it had done is lost. bad_side: nothing to see; too_far: beyond where windows can be;
   // too_little_memory: more chunks in sight than there are slots. On an error the sight stays as it was.
   Status look_at(int32_t x, int32_t y, uint16_t width, uint16_t height);
 
-  // Up to `rows` rows of work, grown or painted, on what is in sight and missing: more, or done when all of it is there.
-  // A chunk once begun is finished while it stays in sight; then comes the one nearest to the middle of the view, of
-  // equals the upper, then the left one. It takes an empty slot, or that of the chunk longest out of sight, of equals the
-  // first slot; a chunk in sight never makes room.
+  // Up to `rows` rows of work, grown or painted, on what is in sight and missing: more, or done when all of it is
+  // there. A chunk once begun is finished while it stays in sight; then comes the one nearest to the middle of the
+  // view, of equals the upper, then the left one. It takes an empty slot, or that of the chunk longest out of sight, of
+  // equals the first slot; a chunk in sight never makes room.
   Status step(uint32_t rows);
 
   // Everything in sight.
-  void finish() { while (step(UINT32_MAX) == more) {} }
+  void finish() {
+    while (step(UINT32_MAX) == more) {
+    }
+  }
 
   // A finished chunk, in sight or not, or null. Valid until the next step.
   const uint8_t* pixels(int32_t cx, int32_t cy) const;
@@ -163,8 +166,8 @@ class Chunks {
  private:
   enum class Work : uint8_t { none, growing, painting };
 
-  Status start(const Preset* preset, const Recipe* recipe, uint32_t seed, uint16_t side, uint16_t slots, const Brush& brush,
-               void* memory, size_t bytes, const Options& options, ChunkNeed* need);
+  Status start(const Preset* preset, const Recipe* recipe, uint32_t seed, uint16_t side, uint16_t slots,
+               const Brush& brush, void* memory, size_t bytes, const Options& options, ChunkNeed* need);
   Status find_sight(int32_t x, int32_t y, uint16_t width, uint16_t height, Sight& sight) const;
   uint16_t find(int32_t cx, int32_t cy) const;
   uint16_t& bucket_of(int32_t cx, int32_t cy) const;
@@ -176,25 +179,25 @@ class Chunks {
   uint32_t paint_rows(uint32_t rows);
   void close();
 
-  Texture texture_;                // at work
-  const Preset* preset_ = nullptr; // one of the two
+  Texture texture_;                 // at work
+  const Preset* preset_ = nullptr;  // one of the two
   const Recipe* recipe_ = nullptr;
   api::ChunkSlot* slot_ = nullptr;
-  uint8_t* pixels_ = nullptr;      // of slot 0
-  uint8_t* memory_ = nullptr;      // of the texture
+  uint8_t* pixels_ = nullptr;                // of slot 0
+  uint8_t* memory_ = nullptr;                // of the texture
   size_t pixel_bytes_ = 0, pixel_step_ = 0;  // of a chunk, and from one to the next
   size_t memory_bytes_ = 0;
   Options options_;
   Brush brush_;
   uint32_t seed_ = 0, halo_ = 0;
-  uint32_t now_ = 0;               // look_ats so far
+  uint32_t now_ = 0;  // look_ats so far
   uint32_t missing_ = 0;
   ChunkCounters counters_ = {};
   Sight sight_ = {0, 0, -1, -1};
   int32_t middle_x_ = 0, middle_y_ = 0;  // of the view, half cells
-  int32_t cx_ = 0, cy_ = 0;        // at work
+  int32_t cx_ = 0, cy_ = 0;              // at work
   uint16_t side_ = kSmallestSide, slots_ = 0;
-  uint16_t at_slot_ = 0, at_row_ = 0;    // painting
+  uint16_t at_slot_ = 0, at_row_ = 0;  // painting
   Work work_ = Work::none;
 };
 

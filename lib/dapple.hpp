@@ -75,7 +75,7 @@ constexpr void smallest(const Recipe& recipe, Need& need) {
 }
 
 constexpr bool good_stages(const Recipe& recipe) {
-  if (recipe.stages < 1 || recipe.stages > kMaxStages || !in_range(recipe.start) || !in_range(recipe.paint)) return false;
+  if (recipe.stages < 1 || recipe.stages > kMaxStages || recipe.start.row == nullptr || !in_range(recipe.start) || !in_range(recipe.paint)) return false;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     if (s.model == nullptr || s.solver == nullptr || s.level > kMaxLevel || s.steps > kMaxSteps || !s.model->in_range(s.number)) return false;
@@ -86,10 +86,10 @@ constexpr bool good_stages(const Recipe& recipe) {
     const Stage& before = recipe.stage[i - 1];
     if (before.model->planes(before.number) != planes || before.model->cell != s.model->cell) return false;
     if (s.entry == Entry::carry && s.level != before.level) return false;
-    if (s.entry == Entry::refine && (s.level + 1 != before.level || s.model->cell == grid::Cell::bit)) return false;
+    if (s.entry == Entry::refine && (s.refine == nullptr || s.level + 1 != before.level || s.model->cell == grid::Cell::bit)) return false;
   }
   const Stage& last = recipe.stage[recipe.stages - 1];
-  return last.level == 0 || last.model->coarse;
+  return last.level == 0 || (last.model->coarse && last.level <= kMaxCoarse);
 }
 
 // How far a window's surroundings reach into it over the whole recipe, in cells of the finest grid.

@@ -247,7 +247,7 @@ dapple::Recipe recipe_of(const Toy& t, const Path& path) {
                                 : path.level[i] == path.level[i - 1] ? dapple::Entry::carry
                                                                      : dapple::Entry::refine;
     recipe.stage[i] = {&t.model,      &evolve::direct, path.steps[i],
-                       path.level[i], entry,           {t.radius, t.planes, static_cast<int32_t>(7 * i)}};
+                       path.level[i], entry,           {t.radius, t.planes, static_cast<int32_t>(7 * i)}, evolve::refine_row};
   }
   return recipe;
 }

@@ -113,17 +113,37 @@ static int16_t* make_coarse(const Run& run, const Work& w, int32_t y, uint16_t f
   return out + 2;
 }
 
-// Row y of the coarse field, any y on a torus; made once while it is among the last ones asked for.
-static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y) {
+// The slot for a row that is not there: a free one, or that of the row furthest from y, but never `kept`'s.
+static uint8_t free_slot(const Work& w, int32_t y, int32_t kept) {
+  uint8_t best = 0;
+  int64_t furthest = -1;
+  for (uint8_t i = 0; i < kCoarseRows; ++i) {
+    const bool empty = w.held[i] == kNoRow;
+    const int64_t off = static_cast<int64_t>(w.held[i]) - y;
+    const int64_t distance = empty ? INT64_MAX : w.held[i] == static_cast<uint32_t>(kept) ? -1 : off < 0 ? -off : off;
+    if (distance <= furthest) continue;
+    furthest = distance;
+    best = i;
+  }
+  return best;
+}
+
+// Row y of the coarse field, any y on a torus; made once while it is among the last ones asked for. Row `kept` stays.
+static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y, int32_t kept) {
   const uint8_t level = run.stage.level;
   const uint16_t height = run.field.height;
-  if (!run.domain.plane) y = (y + height) % height;
+  if (!run.domain.plane) {
+    y = (y + height) % height;
+    kept = (kept + height) % height;
+  }
   const uint16_t first = at_level(offset_x(run), level);
   const uint16_t last = at_level(static_cast<uint16_t>(offset_x(run) + run.domain.width - 1), level);
-  const uint8_t slot = static_cast<uint8_t>(y % kCoarseRows);
+  uint8_t slot = 0;
+  while (slot < kCoarseRows && w.held[slot] != static_cast<uint32_t>(y)) ++slot;
+  const bool held = slot < kCoarseRows;
+  if (!held) slot = free_slot(w, y, kept);
   int16_t* const out = w.coarse + slot * w.coarse_row;
-  if (w.held[slot] == static_cast<uint32_t>(y))
-    return run.domain.plane ? out + (first - ((first - 2) & ~31)) : out + 2;
+  if (held) return run.domain.plane ? out + (first - ((first - 2) & ~31)) : out + 2;
   w.held[slot] = static_cast<uint32_t>(y);
   return make_coarse(run, w, y, first, static_cast<uint16_t>(last - first + 1), out);
 }
@@ -161,7 +181,8 @@ static void fourfold(const Run& run, const Work& w, uint16_t y, int16_t* out) {
     // One cell to the left of `first`: the middle row needs a halo of one.
     const int32_t left = first - 1;
     const int32_t skip = (left >> 1) - (shift >> 2);
-    enlarge(coarse_row(run, w, coarse) + skip, coarse_row(run, w, other) + skip, w.middle + i * w.middle_row,
+    const int16_t* const near = coarse_row(run, w, coarse, other);
+    enlarge(near + skip, coarse_row(run, w, other, coarse) + skip, w.middle + i * w.middle_row,
             static_cast<uint8_t>(left & 1), static_cast<uint16_t>(last - left + 2));
   }
   enlarge(w.middle + 1, w.middle + w.middle_row + 1, out, static_cast<uint8_t>(shift & 1), run.domain.width);
@@ -175,11 +196,12 @@ void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
   if (made_in_place(run)) {
     make_row(run, w, world, 0, run.domain.width, out);
   } else if (level == 0) {
-    const int16_t* row = coarse_row(run, w, world);
+    const int16_t* row = coarse_row(run, w, world, world);
     for (uint16_t x = 0; x < run.domain.width; ++x) out[x] = row[x];
   } else if (level == 1) {
-    enlarge(coarse_row(run, w, world >> 1), coarse_row(run, w, (world >> 1) + beside(world)), out,
-            static_cast<uint8_t>(offset_x(run) & 1), run.domain.width);
+    const int32_t coarse = world >> 1, other = coarse + beside(world);
+    const int16_t* const near = coarse_row(run, w, coarse, other);
+    enlarge(near, coarse_row(run, w, other, coarse), out, static_cast<uint8_t>(offset_x(run) & 1), run.domain.width);
   } else {
     fourfold(run, w, world, out);
   }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.hpp"
 
-#include "refine.hpp"
-
 namespace dapple::evolve {
 
 using base::rom_load;
@@ -93,10 +91,7 @@ static void start_one_row(Run& run) {
   const uint8_t planes = run.model.planes(run.stage.number);
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
   const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
-  if (start.kind == Start::noise)
-    start::noise_row(place, run.at_plane, levels, run.at_row, row);
-  else
-    start::seeds_row(place, start, levels, run.at_row, row);
+  start.row(place, start, levels, run.at_plane, run.at_row, row);
   if (++run.at_row < run.field.height) return;
   run.at_row = 0;
   if (++run.at_plane == planes) run.phase = Phase::sweeping;
@@ -105,7 +100,7 @@ static void start_one_row(Run& run) {
 static void refine_one_row(Run& run) {
   --run.at_row;
   const uint8_t planes = run.model.planes(run.stage.number);
-  for (uint8_t plane = 0; plane < planes; ++plane) refine_row(run.field, plane, run.at_row);
+  for (uint8_t plane = 0; plane < planes; ++plane) run.stage.refine(run.field, plane, run.at_row);
   if (run.at_row > 0) return;
   set_level(run, run.stage.level);
   run.phase = Phase::sweeping;

@@ -15,6 +15,7 @@ enum class Entry : uint8_t {
 
 constexpr uint8_t kMaxStages = 4;
 constexpr uint8_t kMaxLevel = 3;
+constexpr uint8_t kMaxCoarse = 2;  // that a picture may stay at
 constexpr uint8_t kMaxBands = 64;
 constexpr uint32_t kMaxSteps = 4000000;
 
@@ -26,6 +27,7 @@ struct Stage {
   uint8_t level;
   Entry entry;
   int32_t number[kMaxNumbers];
+  evolve::RowRefine refine;  // with Entry::refine: what does it
 };
 
 }  // namespace dapple

@@ -22,6 +22,9 @@ struct Field {
   uint8_t bands;
 };
 
+// Makes two fine rows of one coarse one, bottom row first; see refine.hpp.
+using RowRefine = void (*)(const Field& coarse, uint8_t plane, uint16_t y);
+
 inline uint8_t* row_of(const Field& field, uint8_t plane, uint16_t y) {
   return field.planes + plane * field.plane_bytes + static_cast<size_t>(y) * field.row_bytes;
 }

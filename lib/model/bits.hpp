@@ -26,11 +26,13 @@ inline constexpr Number numbers[] = {
     {Number::schedule, "rho", -kLargestRho, kLargestRho, 0, nullptr, "P: the threshold on the difference"},
 };
 
-// The thresholds between which a pattern lives, in 1/kMicro of P: beyond them every cell goes off, or on, within twelve steps
-// (measured for each rule at the usual wavelengths, where less than 2 % of the cells, or of the ground, are left).
+// A range of a number, 1/kMicro, where it depends on others.
 struct Living {
   int32_t low, high;
 };
+
+// The thresholds between which a pattern lives, in 1/kMicro of P: beyond them every cell goes off, or on, within twelve steps
+// (measured for each rule at the usual wavelengths, where less than 2 % of the cells, or of the ground, are left).
 constexpr Living living_of(int32_t masks, bool sums, bool round) {
   if (masks == 1) return round ? Living{-440000, 440000} : Living{-kLargestRho, kLargestRho};
   if (!sums) return {-120000, masks > 3 ? 430000 : 450000};
@@ -40,13 +42,18 @@ constexpr Living living(const int32_t* number) {
   return living_of(number[masks], number[react] == 1, number[diffusion] == isotropic);
 }
 
+// The nominal wavelengths a mask of this radius shows well.
+constexpr Living lengths_of(int32_t radius) {
+  const int32_t low = radius * (base::kMicro / 10 * 8), high = radius * (base::kMicro / 10 * 22);
+  return {low > kScale[0] ? low : kScale[0], high < kScale[1] ? high : kScale[1]};
+}
+constexpr Living lengths(const int32_t* number) { return lengths_of(number[radius]); }
+
 constexpr bool in_range(const int32_t* number) {
   for (uint8_t j = 0; j < 5; ++j)
     if (!within(number[angles + j], -2 * kTurn, 2 * kTurn)) return false;
-  const int32_t cell = number[radius] * base::kMicro;
   return within(number[masks], 1, 5) && within(number[react], 0, 1) && within(number[diffusion], 0, 1) &&
-         within(number[radius], 4, 8) && within(number[scale], kScale[0], kScale[1]) &&
-         within(number[scale], cell / 10 * 8, cell / 10 * 22) && within(number[stretch], kStretch[0], kStretch[1]) &&
+         within(number[radius], 4, 8) && within(number[scale], lengths(number).low, lengths(number).high) && within(number[stretch], kStretch[0], kStretch[1]) &&
          schedule_within(number + rho, living(number).low, living(number).high);
 }
 

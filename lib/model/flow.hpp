@@ -28,13 +28,14 @@ constexpr bits::Living living(const int32_t* number) {
   return number[threads] == 1 ? bits::Living{-450000, 450000} : bits::Living{-120000, number[threads] == 2 ? 430000 : 390000};
 }
 
+constexpr bits::Living lengths(const int32_t* number) { return bits::lengths_of(number[radius]); }
+
 constexpr bool in_range(const int32_t* number) {
   for (uint8_t j = 0; j < 5; ++j)
     if (!within(number[angles + j], -2 * bits::kTurn, 2 * bits::kTurn)) return false;
-  const int32_t cell = number[radius] * base::kMicro;
   return within(number[threads], 1, 5) && within(number[field], 0, 1) && within(number[nodes], kNodes[0], kNodes[1]) &&
          within(number[bend], kBend[0], kBend[1]) && within(number[radius], 4, 8) &&
-         within(number[scale], bits::kScale[0], bits::kScale[1]) && within(number[scale], cell / 10 * 8, cell / 10 * 22) &&
+         within(number[scale], lengths(number).low, lengths(number).high) &&
          within(number[stretch], bits::kStretch[0], bits::kStretch[1]) &&
          schedule_within(number + rho, living(number).low, living(number).high);
 }

@@ -31,7 +31,7 @@ struct Reader {
   uint32_t levels, fine;
   bool angle_given, angles_given, pairs_given, pitch_given, radius_given, steps_given;
   int32_t first_angle, scale;  // before
-  Word schedule;               // the last one read
+  Word schedule, length;       // the last schedule and the last scale read
 };
 
 constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../evolve/convolution.hpp"
+#include "../evolve/refine.hpp"
 #include "../evolve/run.hpp"
 #include "../evolve/steering.hpp"
 #include "../model/cells.hpp"
@@ -27,7 +28,7 @@ struct Preset {
 
 namespace dapple::recipe {
 
-constexpr bits::Living any_rho(const int32_t*) { return {INT32_MIN, INT32_MAX}; }
+constexpr bits::Living any_number(const int32_t*) { return {INT32_MIN, INT32_MAX}; }
 
 // A model as text knows it: names, numbers, solvers (the first is the default), start and numbers of paint to begin with.
 struct Family {
@@ -41,7 +42,8 @@ struct Family {
   Start start;
   int32_t low, high;
   uint8_t level = 0;
-  bits::Living (*living)(const int32_t* number) = any_rho;  // the thresholds rho between which a pattern lives
+  bits::Living (*living)(const int32_t* number) = any_number;   // the thresholds rho between which a pattern lives
+  bits::Living (*lengths)(const int32_t* number) = any_number;  // the range of scale, where it depends on other numbers
   int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
 };
 
@@ -50,19 +52,19 @@ template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n;
 inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
      {&evolve::gaussian, &evolve::euler}, 32,
-     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000}, -50000, 50000},
+     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
-     {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000}, 0, 350000},
+     {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},
     {"bits", &bits_model, bits::numbers, count_of(bits::numbers), "sliced|lean",
      {&evolve::sliced, &evolve::lean}, 10,
-     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -950000, 950000, 1, bits::living, evolve::grown_wavelength},
+     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000, start::noise_row}, -950000, 950000, 1, bits::living, bits::lengths, evolve::grown_wavelength},
     {"flow", &flow_model, flow::numbers, count_of(flow::numbers), "steered",
      {&evolve::steered, nullptr}, 12,
-     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000}, -920000, 920000, 1, flow::living, evolve::steered_wavelength},
+     {Start::noise, 26000000, 875000, 300000, 5200000, 1000000, start::noise_row}, -920000, 920000, 1, flow::living, flow::lengths, evolve::steered_wavelength},
     {"cells", &cells_model, cells::numbers, count_of(cells::numbers), "direct",
      {&evolve::direct, nullptr}, 64,
-     {Start::noise, 32000000, 875000, 300000, 6400000, 1000000}, 0, 1000000},
+     {Start::noise, 32000000, 875000, 300000, 6400000, 1000000, start::noise_row}, 0, 1000000},
 };
 
 }  // namespace dapple::recipe

@@ -25,6 +25,7 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   uint8_t slot = 0;
   for (uint8_t i = 0; i < r.family->number_count; ++i) {
     const Number& n = r.family->numbers[i];
+    if (equal(key, "scale")) r.length = value;
     const bool named = equal(key, n.name) || (n.kind == Number::angles && equal(key, "angles"));
     if (named) {
       found = true;
@@ -57,7 +58,7 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     return true;
   }
   if (equal(key, "level")) {
-    if (!integer_in(r, value, 0, kMaxLevel, whole)) return false;
+    if (!integer_in(r, value, 0, stage.model->coarse ? kMaxCoarse : kMaxLevel, whole)) return false;
     stage.level = static_cast<uint8_t>(whole);
     return true;
   }
@@ -80,6 +81,7 @@ constexpr bool start_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "start")) {
     if (!word_in(r, value, "noise|seeds", index)) return false;
     s.kind = static_cast<Start::Kind>(index);
+    s.row = row_start(s.kind);
     return true;
   }
   if (equal(key, "pitch")) return (r.pitch_given = true) && decimal_in(r, value, kPitch[0], kPitch[1], s.pitch);
@@ -128,6 +130,7 @@ constexpr bool then_stage(Reader& r, Word word) {
   Stage& stage = r.recipe->stage[r.stage];
   stage = before;
   stage.entry = entry == 0 ? Entry::carry : Entry::refine;
+  stage.refine = entry == 0 ? nullptr : evolve::refine_row;
   if (entry == 0) return true;
   if (before.level == 0) return fail(r, not_possible, word);
   --stage.level;
@@ -145,6 +148,7 @@ constexpr bool spread_levels(Reader& r, Word all) {
     recipe.stage[i] = recipe.stage[0];
     recipe.stage[i].level = static_cast<uint8_t>(recipe.stages - 1 - i);
     recipe.stage[i].entry = i == 0 ? Entry::start : Entry::refine;
+    recipe.stage[i].refine = i == 0 ? nullptr : evolve::refine_row;
     recipe.stage[i].steps = fine;
   }
   recipe.stage[0].steps = total - fine * (r.levels - 1);
@@ -195,9 +199,13 @@ constexpr bool tune(Reader& r, Word all, Stage& stage, uint8_t slot, const Numbe
   return wanted >= low && wanted <= high ? true : fail(r, out_of_range, all, low << stage.level, high << stage.level);
 }
 
-// A threshold that extinguishes the pattern is refused with the bounds that other numbers set.
+// Numbers whose bounds others set: a scale too long for its window, a threshold that extinguishes the pattern.
 constexpr bool living(Reader& r, Word all, const int32_t* number) {
-  const int8_t rho = slot_named(*r.family, "rho");
+  const int8_t rho = slot_named(*r.family, "rho"), scale = slot_named(*r.family, "scale");
+  if (scale >= 0) {
+    const bits::Living lengths = r.family->lengths(number);
+    if (!within(number[scale], lengths.low, lengths.high)) return fail(r, out_of_range, r.length.length > 0 ? r.length : all, lengths.low, lengths.high);
+  }
   if (rho < 0) return true;
   const bits::Living range = r.family->living(number);
   return schedule_within(number + rho, range.low, range.high) ||

@@ -32,7 +32,7 @@ template <class T> static void noise_cells(const Place& place, const base::RowKe
   }
 }
 
-void noise_row(const Place& place, uint8_t plane, const Levels& levels, uint16_t y, void* row) {
+void noise_row(const Place& place, const Start&, const Levels& levels, uint8_t plane, uint16_t y, void* row) {
   const base::RowKey key = base::row_key(place.seed, plane, world(place.y + y, place.height, place.plane));
   switch (place.cell) {
     case grid::Cell::bit: noise_bits(place, key, static_cast<uint8_t*>(row)); break;

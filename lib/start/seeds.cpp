@@ -67,7 +67,7 @@ static Span near(int64_t from, int64_t to, int64_t spacing, int64_t radius, int3
   return {static_cast<int32_t>(floor_divide(from - around, spacing)), static_cast<int32_t>(floor_divide(to + around, spacing))};
 }
 
-void seeds_row(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row) {
+void seeds_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
   for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;

@@ -6,6 +6,33 @@
 
 namespace dapple {
 
+struct Start;
+
+namespace start {
+
+// Where a grid of cells lies. On a torus (x, y) rolls it: its cell (0, 0) is the unrolled torus' cell (x, y), modulo the
+// size; on the plane (x, y) is the world's cell at (0, 0). All in cells of this level.
+struct Place {
+  grid::Cell cell;
+  uint16_t width, height;
+  uint8_t level;
+  int32_t x, y;
+  bool plane;
+  uint32_t seed;
+};
+
+// Fills one row of one plane; y in cells of the place.
+using RowStart = void (*)(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+
+// Noise is hash(seed, plane, x, y); of one-bit cells, bit x mod 32 of hash(seed, plane, x div 32, y).
+void noise_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+// Discs have the centre
+//   ((i + 1/4 + 1/2 (j odd)) + jitter U) * spacing,  ((j + 1/2) + jitter U') * spacing,   U in [-1, 1),
+// and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
+void seeds_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+
+}  // namespace start
+
 // How a recipe starts. Lengths are in cells of the finest grid, numbers in 1/1000000.
 struct Start {
   enum Kind : uint8_t { noise, seeds } kind;
@@ -14,7 +41,10 @@ struct Start {
   int32_t jitter;     // seeds: each disc is moved by up to this share of the spacing, uniformly, in either direction
   int32_t radius;     // seeds: of the discs
   int32_t amplitude;  // of the seeds, as a share of the model's own
+  start::RowStart row;  // what does it: firmware links no other
 };
+
+constexpr start::RowStart row_start(Start::Kind kind) { return kind == Start::noise ? start::noise_row : start::seeds_row; }
 
 // Ranges, 1/kMicro; jitter and amplitude are 0..1.
 constexpr int32_t kPitch[2] = {4 * base::kMicro, 1000 * base::kMicro}, kRadius[2] = {500000, 200 * base::kMicro};
@@ -32,17 +62,6 @@ constexpr bool in_range(const Start& s) {
 namespace dapple::start {
 
 using grid::Levels;
-
-// Where a grid of cells lies. On a torus (x, y) rolls it: its cell (0, 0) is the unrolled torus' cell (x, y), modulo the
-// size; on the plane (x, y) is the world's cell at (0, 0). All in cells of this level.
-struct Place {
-  grid::Cell cell;
-  uint16_t width, height;
-  uint8_t level;
-  int32_t x, y;
-  bool plane;
-  uint32_t seed;
-};
 
 // A torus cell's coordinate in the unrolled torus, a plane's in the world.
 constexpr int32_t world(int32_t at, uint16_t size, bool plane) {
@@ -68,12 +87,5 @@ constexpr DiscGrid disc_grid(const Start& s, const Place& p) {
           static_cast<uint16_t>(pairs < 1 ? 2 : pairs > 32767 ? 65534 : 2 * pairs),
           static_cast<int64_t>(p.width) << 8, static_cast<int64_t>(p.height) << 8};
 }
-
-// One row of one plane; y in cells of the place. Noise is hash(seed, plane, x, y); of one-bit cells, bit x mod 32 of
-// hash(seed, plane, x div 32, y). Discs have the centre
-//   ((i + 1/4 + 1/2 (j odd)) + jitter U) * spacing,  ((j + 1/2) + jitter U') * spacing,   U in [-1, 1),
-// and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
-void noise_row(const Place& place, uint8_t plane, const Levels& levels, uint16_t y, void* row);
-void seeds_row(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row);
 
 }  // namespace dapple::start

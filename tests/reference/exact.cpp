@@ -50,8 +50,7 @@ std::vector<Row> start_of(const dapple::Recipe& recipe, uint32_t seed) {
     for (uint16_t y = 0; y < kHeight; ++y) {
       int16_t* row = planes[i].data() + y * kWidth;
       const dapple::grid::Levels levels = stage.model->levels(stage.number, i);
-      if (recipe.start.kind == dapple::Start::noise) dapple::start::noise_row(place, i, levels, y, row);
-      else dapple::start::seeds_row(place, recipe.start, levels, y, row);
+      recipe.start.row(place, recipe.start, levels, i, y, row);
     }
   return planes;
 }

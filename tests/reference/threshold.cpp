@@ -52,9 +52,7 @@ std::vector<Plane> start_of(const dapple::Recipe& recipe, const Grid& grid, uint
   std::vector<Plane> planes(model.planes(number));
   for (uint8_t i = 0; i < planes.size(); ++i)
     for (uint16_t y = 0; y < height; ++y) {
-      if (recipe.start.kind == dapple::Start::noise)
-        dapple::start::noise_row(place, i, model.levels(number, i), y, row.data());
-      else dapple::start::seeds_row(place, recipe.start, model.levels(number, i), y, row.data());
+      recipe.start.row(place, recipe.start, model.levels(number, i), i, y, row.data());
       for (const int16_t v : row) planes[i].push_back(static_cast<double>(v) / model.unit);
     }
   return planes;

@@ -26,7 +26,8 @@ const CommandEntry kCommands[] = {
     {"grow", in_grow, grow, 256, "NAME|RECIPE [key=value ...] [options]", "grow one texture and write it"},
     {"info", in_info, info, 256, "NAME|RECIPE [key=value ...] [options]", "its recipe, its memory, its work"},
     {"sheet", in_sheet, sheet, 128, "[options]", "one picture of all presets"},
-    {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]", "cell programs"},
+    {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]",
+     "grow a cell program, ask about it, or find some"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
 };
 

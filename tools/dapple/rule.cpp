@@ -55,11 +55,16 @@ void check_uses(const Options& o, Verb verb) {
   if (o.at && !o.start.empty()) refuse("--at does not go with --start: a given state is on a torus");
 }
 
+constexpr uint64_t kMostCells = UINT64_C(1) << 24;  // of complete, which keeps some thirty bytes for each
+
 // Sides that were not given are those of the verb.
 void set_size(Options& options, Verb verb) {
   if (options.width == 0) options.width = options.height = verb == v_random ? 128 : verb == v_complete ? 64 : 256;
   if (verb != v_complete && (options.width < dapple::kSmallestSide || options.height < dapple::kSmallestSide))
     refuse("--size " + size_text(options.width, options.height) + ": sides below 8 are for complete");
+  if (verb == v_complete && uint64_t{options.width} * options.height > kMostCells)
+    refuse("--size " + size_text(options.width, options.height) + ": complete takes at most " +
+           std::to_string(kMostCells) + " cells, 4096x4096");
 }
 
 }  // namespace

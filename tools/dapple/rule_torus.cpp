@@ -30,7 +30,7 @@ void Torus::set(uint16_t x, uint16_t y, bool on) { dapple::grid::put_bit(at(y), 
 
 void Torus::noise(uint32_t seed) {
   const dapple::start::Place place = {dapple::grid::Cell::bit, width_, height_, 0, 0, 0, false, seed};
-  for (uint16_t y = 0; y < height_; ++y) dapple::start::noise_row(place, 0, {0, 1, 0, 1}, y, at(y));
+  for (uint16_t y = 0; y < height_; ++y) dapple::start::noise_row(place, {}, {0, 1, 0, 1}, 0, y, at(y));
 }
 
 void Torus::step(uint32_t program) {

@@ -1,4 +1,4 @@
-// dapple stream: a camera flies over the endless plane, in the terminal, two pixels a character. Chunks grow as they come
+// dapple stream: a camera flies over the endless plane, in the terminal, two pixels a character; chunks grow as they come
 // into sight. Piped, every frame waits for its chunks, and the frames come out one below the other: always the same bytes.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
@@ -33,7 +33,7 @@ struct View {
 
 uint16_t even(int height) { return static_cast<uint16_t>((height + 1) / 2 * 2); }
 
-// Flies at one speed, turning gently by itself or towards where it is steered. The place is the view's left upper pixel.
+// Flies at one speed, turning gently by itself or to where it is steered. The place is the view's left upper pixel.
 class Camera {
  public:
   explicit Camera(Place start) : x_(int64_t{start.x} * kPart), y_(int64_t{start.y} * kPart) {}
@@ -121,10 +121,12 @@ class World {
     if (chunk == nullptr) return;
     const int32_t left = cx * side_ - place_.x, top = cy * side_ - place_.y;  // in the view
     const int32_t first = std::max(left, 0), end = std::min<int32_t>(left + side_, view_.width);
+    if (end <= first) return;
     for (int32_t y = std::max(top, 0); y < std::min<int32_t>(top + side_, view_.height); ++y)
-      std::memcpy(&pixels_[size_t{3} * (static_cast<size_t>(y) * view_.width + static_cast<size_t>(first))],
-                  chunk + static_cast<size_t>(y - top) * chunks_.line_bytes() + size_t{3} * static_cast<size_t>(first - left),
-                  size_t{3} * static_cast<size_t>(end - first));
+      std::memcpy(
+          &pixels_[size_t{3} * (static_cast<size_t>(y) * view_.width + static_cast<size_t>(first))],
+          chunk + static_cast<size_t>(y - top) * chunks_.line_bytes() + size_t{3} * static_cast<size_t>(first - left),
+          size_t{3} * static_cast<size_t>(end - first));
   }
 
   dapple::Recipe recipe_;
@@ -160,8 +162,8 @@ class Rate {
 std::string caption(const Subject& subject, const dapple::Chunks& chunks, Place place, uint32_t frame, size_t columns,
                     const std::string& rate) {
   const dapple::ChunkCounters& c = chunks.counters();
-  const std::string line = " " + subject.name + "  at " + place_text(place) + "  frame " + std::to_string(frame) + "  grown " +
-                           std::to_string(c.grown) + rate + "  hits " + std::to_string(c.hits) + "/" +
+  const std::string line = " " + subject.name + "  at " + place_text(place) + "  frame " + std::to_string(frame) +
+                           "  grown " + std::to_string(c.grown) + rate + "  hits " + std::to_string(c.hits) + "/" +
                            std::to_string(c.hits + c.misses) + "  " + std::to_string(c.held) + " chunks " +
                            std::to_string(c.bytes / 1024) + " KB";
   return line.substr(0, columns);
@@ -169,8 +171,10 @@ std::string caption(const Subject& subject, const dapple::Chunks& chunks, Place 
 
 View view_of(const Options& options, TerminalSize size) {
   const int width = options.width == 0 ? size.columns : std::min<int>(options.width, size.columns);
-  const int height = options.height == 0 ? 2 * (size.rows - 1) : std::min<int>(even(options.height), 2 * (size.rows - 1));
-  return {static_cast<uint16_t>(std::min<int>(width, kLargestView)), static_cast<uint16_t>(std::min<int>(height, kLargestView))};
+  const int height =
+      options.height == 0 ? 2 * (size.rows - 1) : std::min<int>(even(options.height), 2 * (size.rows - 1));
+  return {static_cast<uint16_t>(std::min<int>(width, kLargestView)),
+          static_cast<uint16_t>(std::min<int>(height, kLargestView))};
 }
 
 // In the terminal: frames in place, in time, until q, a signal or the last frame.
@@ -189,9 +193,11 @@ void play(const Options& options, const Subject& subject, World& world, Camera& 
     if (wanted != view) world.resize(view = wanted);
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(kSlice) == dapple::more && steady_clock::now() < start + kGrowTime) {}
+    while (world.chunks().step(kSlice) == dapple::more && steady_clock::now() < start + kGrowTime) {
+    }
     const size_t columns = static_cast<size_t>(size.columns);
-    std::string line = caption(subject, world.chunks(), camera.place(), frame, columns, rate.text(world.chunks().counters().grown));
+    std::string line =
+        caption(subject, world.chunks(), camera.place(), frame, columns, rate.text(world.chunks().counters().grown));
     line.resize(columns, ' ');
     if (!screen.write(out + world.text("\r\n") + line)) return;
     for (Key key; (key = screen.key(start + kFrameTime)) != Key::none; camera.steer(key))
@@ -206,7 +212,8 @@ void print(const Options& options, const Subject& subject, World& world, Camera&
   for (uint32_t frame = 1; frame <= frames; ++frame) {
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(options.budget) == dapple::more) {}
+    while (world.chunks().step(options.budget) == dapple::more) {
+    }
     const std::string line = caption(subject, world.chunks(), camera.place(), frame, view.width, "");
     std::fputs((world.text("\n") + line + "\n").c_str(), stdout);
     finish_standard_output();

@@ -45,7 +45,8 @@ class Screen {
   bool has_keys_ = false, came_back_ = false;
 };
 
-// A line of characters, two pixels each: rows of `count` rgb pixels as upper and lower half blocks, colours reset behind.
+// A line of characters, two pixels each: rows of `count` rgb pixels as upper and lower half blocks, colours reset
+// behind.
 std::string half_blocks(const uint8_t* upper, const uint8_t* lower, int count);
 
 }  // namespace cli
