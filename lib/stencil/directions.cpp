@@ -6,29 +6,32 @@ namespace dapple::stencil {
 
 constexpr uint32_t kDirectionStream = 96;  // of the hash
 
-static int32_t floor_divide(int64_t a, int32_t b) {
-  return static_cast<int32_t>(a >= 0 ? a / b : -((-a + b - 1) / b));
-}
+static int64_t floor_divide(int64_t a, int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 // A world coordinate in units of nodes, Q8: floor((256 at + 128) nodes / size), on the plane floor((256 at + 128) / nodes).
-// Kept with its remainder, so that the next cell takes no division.
+// Kept as node, part (of 256) and remainder, so that the next cell takes no division and the plane's ends fit.
 struct NodePlace {
-  int32_t place, rest, step, step_rest, divisor;
+  int32_t node, part, rest, step, step_rest, divisor;
 };
 
 static NodePlace node_place(int32_t at, uint16_t size, uint16_t nodes) {
   const int32_t factor = size != 0 ? nodes : 1, divisor = size != 0 ? size : nodes;
   const int64_t value = (static_cast<int64_t>(at) * 256 + 128) * factor;
-  const int32_t place = floor_divide(value, divisor);
-  return {place, static_cast<int32_t>(value - static_cast<int64_t>(place) * divisor), 256 * factor / divisor, 256 * factor % divisor, divisor};
+  const int64_t place = floor_divide(value, divisor);
+  return {static_cast<int32_t>(place >> 8), static_cast<int32_t>(place & 255), static_cast<int32_t>(value - place * divisor),
+          256 * factor / divisor, 256 * factor % divisor, divisor};
 }
 
 static void next_cell(NodePlace& p) {
-  p.place += p.step;
+  p.part += p.step;
   p.rest += p.step_rest;
   if (p.rest >= p.divisor) {
     p.rest -= p.divisor;
-    ++p.place;
+    ++p.part;
+  }
+  if (p.part >= 256) {
+    p.part -= 256;
+    ++p.node;
   }
 }
 
@@ -90,18 +93,17 @@ static void to_direction(const DirectionField& f, const Pair& sum, int8_t* c2, i
 }
 
 void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, int8_t* c2, int8_t* s2) {
-  const int32_t row = node_place(folded(f.y + y, f.height, f.height), f.height, f.down).place;
-  const Blend down = blend_of(row & 255);
+  const NodePlace row = node_place(folded(f.y + y, f.height, f.height), f.height, f.down);
+  const Blend down = blend_of(row.part);
   Pair nodes[3] = {};
   int32_t at = 0;
   int32_t world = folded(f.x + x, f.width, f.width);
   NodePlace p = node_place(world, f.width, f.across);
   for (uint8_t k = 0; k < count; ++k) {
-    const int32_t i = p.place >> 8;
-    if (k == 0 || i != at)
-      for (uint8_t n = 0; n < 3; ++n) nodes[n] = column(f, i + n - 1, row >> 8, down);
-    at = i;
-    const Blend across = blend_of(p.place & 255);
+    if (k == 0 || p.node != at)
+      for (uint8_t n = 0; n < 3; ++n) nodes[n] = column(f, p.node + n - 1, row.node, down);
+    at = p.node;
+    const Blend across = blend_of(p.part);
     next_cell(p);
     if (++world == f.width && f.width != 0) {
       world = 0;
