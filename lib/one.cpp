@@ -8,7 +8,6 @@
 #include "stencil/directions.cpp"
 #include "stencil/laplacian.cpp"
 #include "stencil/lattice.cpp"
-#include "stencil/mask.cpp"
 #include "stencil/sliced.cpp"
 #include "stencil/spectrum.cpp"
 #include "stencil/steer.cpp"

@@ -267,7 +267,8 @@ TEST_CASE("chunks: what is refused, and leaves all as it was") {
         dapple::halo_too_wide);
   CHECK((need.halo == 1025 && need.bytes == 0));
   CHECK(world.chunks.look_at(0, 0, 0, 16) == dapple::bad_side);
-  CHECK(world.chunks.look_at(0, 0, 33, 17) == dapple::too_little_memory);  // six chunks
+  CHECK(world.chunks.look_at(0, 0, 65, 1) == dapple::too_little_memory);  // five chunks
+  CHECK(world.chunks.look_at(0, 0, 1, 65) == dapple::too_little_memory);
   for (const int32_t far : {kEdge - 16, INT32_MAX, INT32_MIN, -kEdge - 1, dapple::kFarthest})
     CHECK((world.chunks.look_at(far, 0, 17, 16) == dapple::too_far &&
            world.chunks.look_at(0, far, 16, 17) == dapple::too_far));
@@ -275,8 +276,13 @@ TEST_CASE("chunks: what is refused, and leaves all as it was") {
          world.chunks.step(1) == dapple::done));
   world.look_and_finish(kEdge - 32, -kEdge, 32, 32);
   CHECK(world.has(kEdge / 16 - 1, -kEdge / 16));
-  CHECK(begin(good, 16, 4, bytes) == dapple::ok);
-  CHECK((!world.has(0, 0) && world.chunks.counters().grown == 0 && world.chunks.step(9) == dapple::done));
+  REQUIRE(world.chunks.look_at(0, 0, 32, 32) == dapple::ok);
+  CHECK(world.chunks.step(3) == dapple::more);
+  CHECK(begin(good, 16, 4, bytes) == dapple::ok);  // nothing of before is left
+  CHECK((!world.has(0, 0) && world.chunks.counters().held == 0 && world.chunks.missing() == 0));
+  CHECK((world.chunks.step(9) == dapple::done && !world.chunks.sight().shows(0, 0)));
+  world.look_and_finish(0, 0, 32, 32);
+  CHECK((world.chunks.counters().grown == 4 && world.chunks.counters().misses == 4));
 }
 
 TEST_CASE("chunks: of a preset, in memory counted at compile time") {

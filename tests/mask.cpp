@@ -156,7 +156,7 @@ TEST_CASE("mask: one shape, whole range") {
     ++made;
     const int sign = shape.isotropic ? 1 : 0;  // isotropic masks have all symmetries of the square
     bool runs = false;
-    wrong += (m.sum < 10) + !within_limits(m, 7) + !symmetric(m, sign, sign) + !taps_agree(m, runs);
+    wrong += (m.sum < 4) + !within_limits(m, 7) + !symmetric(m, sign, sign) + !taps_agree(m, runs);
     running += runs;
     const Misfit off = misfit(m, exact(&shape, 1), 7);
     worst = std::max(worst, off.worst);
@@ -173,7 +173,7 @@ TEST_CASE("mask: one shape, whole range") {
 TEST_CASE("mask: the sum of two shapes, whole range") {
   int wrong = 0;
   double worst = 0, centre[2] = {0, 0};
-  each_shape(9, 7, [&](const MaskShape& shape) {
+  each_shape(7, 4, [&](const MaskShape& shape) {
     Mask m;
     for (const int between : {0, 3000, 8192, 16384, 29000}) {
       const MaskShape both[2] = {shape, {shape.radius, shape.isotropic, shape.wavelength, shape.stretch,
@@ -181,7 +181,7 @@ TEST_CASE("mask: the sum of two shapes, whole range") {
       REQUIRE(stencil::make_mask(both, 2, m));
       const int sign = shape.isotropic ? 1 : 0;
       bool runs = false;
-      wrong += (m.sum < 10) + !within_limits(m, 15) + !symmetric(m, sign, sign) + !taps_agree(m, runs);
+      wrong += (m.sum < 4) + !within_limits(m, 15) + !symmetric(m, sign, sign) + !taps_agree(m, runs);
       const Misfit off = misfit(m, exact(both, 2), 15);
       worst = std::max(worst, off.worst);
       centre[sign] = std::max(centre[sign], off.centre);
@@ -340,7 +340,6 @@ TEST_CASE("mask: steerable masks make the mask of any angle") {
           if (stretch > kMicro) CHECK(like(degrees) > like(degrees + 12));
           if (stretch > kMicro) CHECK(like(degrees) > like(degrees - 12));
         }
-  MESSAGE(worst << " " << mean / count);
   CHECK(worst > 0.86);
   CHECK(mean > 0.94 * count);
 }

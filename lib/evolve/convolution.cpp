@@ -19,15 +19,14 @@ int32_t grown_wavelength(const int32_t* number) {
 static void prepare(const Context& context, bool running) {
   const int32_t* number = context.number;
   stencil::MaskShape shapes[stencil::kMaxMasks];
-  const uint8_t count = static_cast<uint8_t>(number[bits::masks]);
-  for (uint8_t i = 0; i < count; ++i)
-    shapes[i] = {static_cast<uint8_t>(number[bits::radius]), number[bits::diffusion] == bits::isotropic, number[bits::scale],
-                 number[bits::stretch], base::angle_of(number[bits::angles + i])};
+  const uint8_t count = shapes_of(number, shapes);
   stencil::make_masks(shapes, count, summed(number), running, *reinterpret_cast<stencil::MaskSet*>(context.table));
 }
 
 void prepare_sliced(const Context& context) { prepare(context, true); }
 void prepare_lean(const Context& context) { prepare(context, false); }
+
+void prepare_stored(const Context& context) { *reinterpret_cast<const void**>(context.table) = context.stored; }
 
 static bool next(const Context& context, Cursor& cursor, grid::RowKernel row, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;
@@ -43,5 +42,7 @@ static bool next(const Context& context, Cursor& cursor, grid::RowKernel row, Sw
 
 bool sliced_next(const Context& context, Cursor& cursor, Sweep& sweep) { return next(context, cursor, stencil::convolve_row, sweep); }
 bool lean_next(const Context& context, Cursor& cursor, Sweep& sweep) { return next(context, cursor, stencil::convolve_lean, sweep); }
+
+bool stored_next(const Context& context, Cursor& cursor, Sweep& sweep) { return next(context, cursor, stencil::convolve_stored, sweep); }
 
 }  // namespace dapple::evolve

@@ -12,6 +12,32 @@ constexpr bool summed(const int32_t* number) {
   return number[bits::masks] == 2 && number[bits::react] == stencil::difference_abs;
 }
 
+constexpr uint8_t shapes_of(const int32_t* number, stencil::MaskShape* shapes) {
+  const uint8_t count = static_cast<uint8_t>(number[bits::masks]);
+  for (uint8_t i = 0; i < count; ++i)
+    shapes[i] = {static_cast<uint8_t>(number[bits::radius]), number[bits::diffusion] == bits::isotropic, number[bits::scale],
+                 number[bits::stretch], base::angle_of(number[bits::angles + i])};
+  return count;
+}
+
+// The masks of these numbers, for n of them (one for two orientations summed); a set of no masks when n is another number.
+template <uint8_t n> constexpr stencil::StoredMasks<n> stored_masks(const int32_t* number) {
+  stencil::StoredMasks<n> result{};
+  stencil::MaskShape shapes[stencil::kMaxMasks] = {};
+  const uint8_t count = shapes_of(number, shapes);
+  const uint8_t made = summed(number) ? 1 : count;
+  if (made != n) return result;
+  result.set = {n, shapes[0].radius, 0};
+  for (uint8_t i = 0; i < n; ++i) {
+    stencil::Mask mask{};
+    if (!stencil::make_mask(shapes + i, summed(number) ? count : 1, mask)) return stencil::StoredMasks<n>{};
+    if (i == 0) result.set.sum = mask.sum;
+    const uint8_t side = static_cast<uint8_t>(2 * mask.radius + 1);
+    stencil::make_taps(mask.weight, side, side, result.taps[i]);
+  }
+  return result;
+}
+
 constexpr Reach convolution_reach(const int32_t* number, bool kept) {
   const uint8_t r = static_cast<uint8_t>(number[bits::radius]);
   const uint8_t masks = summed(number) ? static_cast<uint8_t>(1) : static_cast<uint8_t>(number[bits::masks]);
@@ -30,6 +56,16 @@ void prepare_lean(const Context& context);
 // spectra of grown textures show. 0: shorter than 4.4 cells (isotropic: 5), where rounding leaves no telling.
 int32_t grown_wavelength(const int32_t* number);
 int32_t grown_of(const stencil::MaskShape& shape);
+
+// Masks the compiler has made: Stage::stored is the place of them. Nothing but it is kept in memory.
+constexpr Reach stored_reach(const Model&, const int32_t* number, uint8_t) {
+  Reach reach = convolution_reach(number, false);
+  reach.table = sizeof(const void*) > 4 ? 2 : 1;
+  return reach;
+}
+bool stored_next(const Context& context, Cursor& cursor, Sweep& sweep);
+void prepare_stored(const Context& context);
+inline constexpr Solver stored DAPPLE_ROM = {stored_reach, stored_next, prepare_stored, stencil::field_stored};
 
 inline constexpr Solver sliced DAPPLE_ROM = {sliced_reach, sliced_next, prepare_sliced, stencil::field_row};
 inline constexpr Solver lean DAPPLE_ROM = {lean_reach, lean_next, prepare_lean, stencil::field_row};

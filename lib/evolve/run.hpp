@@ -28,6 +28,7 @@ struct Stage {
   Entry entry;
   int32_t number[kMaxNumbers];
   evolve::RowRefine refine;  // with Entry::refine: what does it
+  const void* stored;        // what the solver finds ready made in read-only memory, if anything
 };
 
 }  // namespace dapple

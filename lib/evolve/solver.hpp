@@ -41,6 +41,7 @@ struct Context {
   const grid::Ground* ground;
   bool plane;
   uint32_t seed;
+  const void* stored;  // Stage::stored
 };
 
 // What a solver needs of the scratch memory.

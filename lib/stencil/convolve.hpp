@@ -48,5 +48,8 @@ void convolve_row64(const grid::Rows& rows);
 // Bit-sliced without any scratch memory: shifted copies are made for every word.
 void convolve_lean(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
+// The same with StoredMasks in read-only memory; rows.table holds the place of them.
+void convolve_stored(const grid::Rows& rows);
+void field_stored(const grid::Rows& rows);
 
 }  // namespace dapple::stencil

@@ -37,15 +37,15 @@ struct Mask {
 // scaled by the largest factor, in tenths, that keeps every weight within kLargestWeight (of two: kLargestSummed) and P
 // within kLargestSum after the sum has been made zero: by point-symmetric pairs where rounding was worst, the odd unit at
 // the centre; isotropic masks by whole orbits of the square's symmetries. false: no factor does.
-bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask);
+constexpr bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask);
 
 // The wavelength, in 1/kMicro cells, at which the transfer function of a mask made from `shape` peaks.
 int32_t peak_wavelength(const Mask& mask, const MaskShape& shape);
 
 // The parts of it: adds factor (Q15) times K of a shape, Q30, to kernel[], row-major; rounds exact weights in Q8 (false: P or
 // a weight beyond its limit).
-void add_kernel(const MaskShape& shape, int16_t factor, int32_t* kernel);
-bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask);
+constexpr void add_kernel(const MaskShape& shape, int16_t factor, int32_t* kernel);
+constexpr bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask);
 
 // Weights as lists of unit taps, one for every sign and binary place: what bit-sliced evaluation eats. A tap is the index
 // row * (2 radius + 1) + column; sum |weight| <= 2 * kLargestSum bounds their number.
@@ -57,8 +57,14 @@ struct Taps {
 };
 
 // Lists of `rows` rows of weights; false when there are more than kMaxTaps or a weight takes more than four places.
-bool make_taps(const int8_t* weight, uint8_t rows, uint8_t side, Taps& taps);
-uint16_t count_of(const Taps& taps);
+constexpr bool make_taps(const int8_t* weight, uint8_t rows, uint8_t side, Taps& taps);
+constexpr uint16_t count_of(const Taps& taps);
+
+// What stands before stored taps.
+struct StoredSet {
+  uint8_t count, radius;
+  int16_t sum;
+};
 
 // The masks of a stage, in the solver's table.
 struct MaskSet {
@@ -67,19 +73,27 @@ struct MaskSet {
   int16_t sum;             // P of the first mask: the unit of rho and of the field
   Taps whole[1];           // count of them, then as many of `change`
 };
-inline const Taps& whole_of(const MaskSet& set, uint8_t i) { return set.whole[i]; }
-inline const Taps& change_of(const MaskSet& set, uint8_t i) { return set.whole[set.count + i]; }
+constexpr const Taps& whole_of(const MaskSet& set, uint8_t i) { return set.whole[i]; }
+constexpr const Taps& change_of(const MaskSet& set, uint8_t i) { return set.whole[set.count + i]; }
 constexpr size_t mask_set_bytes(uint8_t masks, bool running) {
   return sizeof(MaskSet) + sizeof(Taps) * (static_cast<size_t>(masks) * (running ? 2 : 1) - 1);
 }
 
 // Fills `set` (mask_set_bytes) with `count` masks; with `running`, also the vertical differences where all of them pay.
 // false: a mask cannot be made.
-bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set);
+constexpr bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set);
 
-bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set);
+constexpr bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set);
+
+// Masks made by the compiler, to be put in read-only memory (DAPPLE_ROM).
+template <uint8_t n> struct StoredMasks {
+  StoredSet set;
+  Taps taps[n];
+};
 
 // The weights of mask i back from its taps.
-void weights_of(const MaskSet& set, uint8_t i, int8_t* weight);
+constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight);
 
 }  // namespace dapple::stencil
+
+#include "mask_make.hpp"

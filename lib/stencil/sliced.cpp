@@ -34,16 +34,28 @@ template <class W> static void add_least(W* most, const W* least) {
 
 // What one row's kernel works with.
 template <class W> struct Job {
-  const MaskSet* set;
-  int16_t threshold;
+  uint8_t count, radius;
+  int16_t threshold, sum;
+  const Taps* taps;
   bool sums;  // max and min are needed, so sums begin at -1 and hold D itself
   bool both;  // max + min
 };
 
+template <class W> static Job<W> job_of(const grid::Rows& rows, bool field, uint8_t count, uint8_t radius, int16_t sum, const Taps* taps) {
+  const bool both = rows.p[0] == difference_abs && count > 1;
+  return {count, radius, threshold_of(rows.p[1], sum), sum, taps, field || both, both};
+}
+
 template <class W> static Job<W> job_of(const grid::Rows& rows, bool field) {
   const MaskSet& set = mask_set(rows);
-  const bool both = rows.p[0] == difference_abs && set.count > 1;
-  return {&set, threshold_of(rows.p[1], set.sum), field || both, both};
+  return job_of<W>(rows, field, set.count, set.radius, set.sum, set.whole);
+}
+
+// The same with masks in read-only memory: the table is the place of a StoredMasks.
+template <class W> static Job<W> stored_job(const grid::Rows& rows, bool field) {
+  const StoredMasks<1>* masks = *reinterpret_cast<const StoredMasks<1>* const*>(rows.table);
+  const StoredSet set = base::rom_load(&masks->set);
+  return job_of<W>(rows, field, set.count, set.radius, set.sum, masks->taps);
 }
 
 // Takes the sum of mask j into the result: OR of the new cells, or max (and min).
@@ -70,7 +82,7 @@ template <class W> static W cells_of(const Job<W>& job, W* most, const W* least,
 
 template <class W> static void convolve_kept(const grid::Rows& rows) {
   const Job<W> job = job_of<W>(rows, false);
-  const MaskSet& set = *job.set;
+  const MaskSet& set = mask_set(rows);
   Kept<W> kept = kept_of<W>(set, rows.scratch);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W), kept.words += kept.column) {
     keep_copies(rows, kept, at);
@@ -89,37 +101,34 @@ void convolve_row64(const grid::Rows& rows) { convolve_kept<uint64_t>(rows); }
 // --- without ---------------------------------------------------------------------------------------------------------
 
 // The result of one word of the row: most[] for the field, the cells for a step.
-template <class W> static W one_word(const grid::Rows& rows, const Job<W>& job, size_t at, W* most) {
-  const MaskSet& set = *job.set;
-  const uint8_t side = static_cast<uint8_t>(2 * set.radius + 1);
+template <bool rom, class W> static W one_word(const grid::Rows& rows, const Job<W>& job, size_t at, W* most) {
+  const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
   W copies[kLargestSide * kLargestSide], least[kSumBits] = {}, cells = 0;
-  for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
-  for (uint8_t j = 0; j < set.count; ++j) {
+  for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
+  for (uint8_t j = 0; j < job.count; ++j) {
     W sum[kSumBits];
     set_number(job.sums ? static_cast<int16_t>(-1) : job.threshold, sum);
-    add_taps(whole_of(set, j), copies, sum);
+    add_taps<rom>(job.taps[j], copies, sum);
     gather(job, j, sum, most, least, cells);
   }
   return cells_of(job, most, least, cells);
 }
 
-void convolve_lean(const grid::Rows& rows) {
+template <bool rom> static void lean_row(const grid::Rows& rows, const Job<base::Word>& job) {
   using W = base::Word;
-  const Job<W> job = job_of<W>(rows, false);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W)) {
     W most[kSumBits] = {};
-    store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word(rows, job, at, most));
+    store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word<rom>(rows, job, at, most));
   }
 }
 
-void field_row(const grid::Rows& rows) {
+template <bool rom> static void lean_field(const grid::Rows& rows, const Job<base::Word>& job) {
   using W = base::Word;
-  const Job<W> job = job_of<W>(rows, true);
-  const FieldScale scale = field_scale(job.set->sum);
+  const FieldScale scale = field_scale(job.sum);
   constexpr uint8_t bits = sizeof(W) * 8;
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W)) {
     W most[kSumBits] = {};
-    one_word(rows, job, at, most);
+    one_word<rom>(rows, job, at, most);
     int16_t* out = grid::out16(rows, 0) + 8 * at;
     const uint8_t count = static_cast<uint8_t>(base::min(bits, static_cast<int32_t>(rows.n - 8 * at)));
     if (job.both) {
@@ -131,5 +140,10 @@ void field_row(const grid::Rows& rows) {
     for (uint8_t i = 0; i < count; ++i) out[i] = field_value(scale, d[i]);
   }
 }
+
+void convolve_lean(const grid::Rows& rows) { lean_row<false>(rows, job_of<base::Word>(rows, false)); }
+void convolve_stored(const grid::Rows& rows) { lean_row<true>(rows, stored_job<base::Word>(rows, false)); }
+void field_row(const grid::Rows& rows) { lean_field<false>(rows, job_of<base::Word>(rows, true)); }
+void field_stored(const grid::Rows& rows) { lean_field<true>(rows, stored_job<base::Word>(rows, true)); }
 
 }  // namespace dapple::stencil

@@ -41,66 +41,78 @@ template <uint8_t place, uint8_t count, class W> inline void add_number(const W*
   }
 }
 
-template <class W> inline void fifteen(const W* c, const uint16_t* t, W* n) {
+// A tap's word among the shifted copies; taps may lie in read-only memory.
+template <bool rom, class W> inline W tap(const W* c, const uint16_t* t) { return c[rom ? base::rom_load(t) : *t]; }
+
+template <bool rom, class W> inline void fifteen(const W* c, const uint16_t* t, W* n) {
   W s1, s2, s3, s4, s5, s6, k1, k2, k3, k4, k5, k6, k7, t1, t2, u1, u2, u3;
-  full_add(c[t[0]], c[t[1]], c[t[2]], s1, k1);
-  full_add(c[t[3]], c[t[4]], c[t[5]], s2, k2);
-  full_add(s1, s2, c[t[6]], s3, k3);
-  full_add(c[t[7]], c[t[8]], c[t[9]], s4, k4);
-  full_add(c[t[10]], c[t[11]], c[t[12]], s5, k5);
-  full_add(s4, s5, c[t[13]], s6, k6);
-  full_add(s3, s6, c[t[14]], n[0], k7);
+  full_add(tap<rom>(c, t + 0), tap<rom>(c, t + 1), tap<rom>(c, t + 2), s1, k1);
+  full_add(tap<rom>(c, t + 3), tap<rom>(c, t + 4), tap<rom>(c, t + 5), s2, k2);
+  full_add(s1, s2, tap<rom>(c, t + 6), s3, k3);
+  full_add(tap<rom>(c, t + 7), tap<rom>(c, t + 8), tap<rom>(c, t + 9), s4, k4);
+  full_add(tap<rom>(c, t + 10), tap<rom>(c, t + 11), tap<rom>(c, t + 12), s5, k5);
+  full_add(s4, s5, tap<rom>(c, t + 13), s6, k6);
+  full_add(s3, s6, tap<rom>(c, t + 14), n[0], k7);
   full_add(k1, k2, k3, t1, u1);
   full_add(k4, k5, k6, t2, u2);
   full_add(t1, t2, k7, n[1], u3);
   full_add(u1, u2, u3, n[2], n[3]);
 }
 
-template <class W> inline void seven(const W* c, const uint16_t* t, W* n) {
+template <bool rom, class W> inline void seven(const W* c, const uint16_t* t, W* n) {
   W s1, s2, k1, k2, k3;
-  full_add(c[t[0]], c[t[1]], c[t[2]], s1, k1);
-  full_add(c[t[3]], c[t[4]], c[t[5]], s2, k2);
-  full_add(s1, s2, c[t[6]], n[0], k3);
+  full_add(tap<rom>(c, t + 0), tap<rom>(c, t + 1), tap<rom>(c, t + 2), s1, k1);
+  full_add(tap<rom>(c, t + 3), tap<rom>(c, t + 4), tap<rom>(c, t + 5), s2, k2);
+  full_add(s1, s2, tap<rom>(c, t + 6), n[0], k3);
   full_add(k1, k2, k3, n[1], n[2]);
 }
 
-template <uint8_t place, class W> inline const uint16_t* add_list(const W* c, const uint16_t* tap, uint8_t count, W* sum) {
+template <bool rom, uint8_t place, class W> inline const uint16_t* add_list(const W* c, const uint16_t* t, uint8_t count, W* sum) {
   W n[4];
-  for (; count >= 15; count = static_cast<uint8_t>(count - 15), tap += 15) {
-    fifteen(c, tap, n);
+  for (; count >= 15; count = static_cast<uint8_t>(count - 15), t += 15) {
+    fifteen<rom>(c, t, n);
     add_number<place, 4>(n, sum);
   }
-  for (; count >= 7; count = static_cast<uint8_t>(count - 7), tap += 7) {
-    seven(c, tap, n);
+  for (; count >= 7; count = static_cast<uint8_t>(count - 7), t += 7) {
+    seven<rom>(c, t, n);
     add_number<place, 3>(n, sum);
   }
-  for (; count >= 3; count = static_cast<uint8_t>(count - 3), tap += 3) {
-    full_add(c[tap[0]], c[tap[1]], c[tap[2]], n[0], n[1]);
+  for (; count >= 3; count = static_cast<uint8_t>(count - 3), t += 3) {
+    full_add(tap<rom>(c, t), tap<rom>(c, t + 1), tap<rom>(c, t + 2), n[0], n[1]);
     add_number<place, 2>(n, sum);
   }
-  for (; count > 0; --count, ++tap) {
-    n[0] = c[*tap];
+  for (; count > 0; --count, ++t) {
+    n[0] = tap<rom>(c, t);
     add_number<place, 1>(n, sum);
   }
-  return tap;
+  return t;
 }
 
-template <class W> inline const uint16_t* add_sign(const W* c, const uint16_t* tap, const uint8_t* count, W* sum) {
-  tap = add_list<0>(c, tap, count[0], sum);
-  tap = add_list<1>(c, tap, count[1], sum);
-  tap = add_list<2>(c, tap, count[2], sum);
-  return add_list<3>(c, tap, count[3], sum);
+template <bool rom, class W> inline const uint16_t* add_sign(const W* c, const uint16_t* t, const uint8_t* count, W* sum) {
+  t = add_list<rom, 0>(c, t, count[0], sum);
+  t = add_list<rom, 1>(c, t, count[1], sum);
+  t = add_list<rom, 2>(c, t, count[2], sum);
+  return add_list<rom, 3>(c, t, count[3], sum);
+}
+
+struct TapCounts {
+  uint8_t of[2][kPlaces];
+};
+template <bool rom> inline TapCounts counts_of(const Taps& taps) {
+  const TapCounts* counts = reinterpret_cast<const TapCounts*>(taps.count);
+  return rom ? base::rom_load(counts) : *counts;
 }
 
 // ~(sum + negative) + positive: from t to D - t - 1, or, begun with ~sum, from D - t - 1 to that of the next row.
-template <class W> inline void add_taps(const Taps& taps, const W* c, W* sum) {
+template <bool rom, class W> inline void add_taps(const Taps& taps, const W* c, W* sum) {
+  const TapCounts count = counts_of<rom>(taps);
   uint16_t positive = 0;
-  for (uint8_t place = 0; place < kPlaces; ++place) positive = static_cast<uint16_t>(positive + taps.count[0][place]);
+  for (uint8_t place = 0; place < kPlaces; ++place) positive = static_cast<uint16_t>(positive + count.of[0][place]);
   W s[kSumBits];
   for (uint8_t i = 0; i < kSumBits; ++i) s[i] = sum[i];
-  add_sign(c, taps.index + positive, taps.count[1], s);
+  add_sign<rom>(c, taps.index + positive, count.of[1], s);
   for (W& bit : s) bit = static_cast<W>(~bit);
-  add_sign(c, taps.index, taps.count[0], s);
+  add_sign<rom>(c, taps.index, count.of[0], s);
   for (uint8_t i = 0; i < kSumBits; ++i) sum[i] = s[i];
 }
 
@@ -154,10 +166,10 @@ template <class W> inline W* keep_sum(const grid::Rows& rows, const MaskSet& set
   W* sum = kept.words + 2u * kept.ring * kept.side + kSumBits * j;
   if (set.running && rows.run > 0) {
     for (uint8_t i = 0; i < kSumBits; ++i) sum[i] = static_cast<W>(~sum[i]);
-    add_taps(change_of(set, j), kept.words + (rows.run - 1) % kept.ring * kept.side, sum);
+    add_taps<false>(change_of(set, j), kept.words + (rows.run - 1) % kept.ring * kept.side, sum);
   } else {
     set_number(start, sum);
-    add_taps(whole_of(set, j), kept.words + rows.run % kept.ring * kept.side, sum);
+    add_taps<false>(whole_of(set, j), kept.words + rows.run % kept.ring * kept.side, sum);
   }
   return sum;
 }

@@ -118,7 +118,7 @@ void steer_field(const grid::Rows& rows) {
     for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
     for (uint8_t m = 0; m < kSteerable; ++m) {
       set_number(static_cast<int16_t>(-1), sum);
-      add_taps(whole_of(set, m), copies, sum);
+      add_taps<false>(whole_of(set, m), copies, sum);
       values_of(sum, sums.d[m]);
     }
     finish(rows, true, static_cast<int32_t>(8 * at), cells_left(rows, at), sums);

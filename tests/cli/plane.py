@@ -193,7 +193,6 @@ def terminal(*command):
     t.check_restored()
 
 
+TASKS = {"part": part, "frame": frame, "terminal": terminal, "under_a_shell": lambda *words: under_a_shell(list(words))}
 if __name__ == "__main__":
-    what, words = sys.argv[1], sys.argv[2:]
-    {"part": part, "frame": frame, "terminal": terminal, "under_a_shell": lambda *command: under_a_shell(list(command))}[
-        what](*words)
+    TASKS[sys.argv[1]](*sys.argv[2:])

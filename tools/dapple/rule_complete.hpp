@@ -40,7 +40,7 @@ class Completion {
     uint32_t cell, mask;  // the mask it had
   };
   struct Choice {
-    uint32_t cell, first_open;
+    uint32_t cell;
     size_t changes, settled;  // how many there were before it
     bool second;
   };
@@ -59,10 +59,10 @@ class Completion {
   uint32_t allowed_;
   Report report_;
   uint32_t width_, height_, cells_;
-  uint32_t first_open_ = 0;
   size_t done_ = 0;  // settled cells whose consequences are drawn
   std::vector<uint32_t> mask_;
   std::vector<uint8_t> value_;
+  std::vector<uint32_t> next_, previous_;  // open cells in raster order, a ring through cells_
   std::vector<Change> changes_;
   std::vector<uint32_t> settled_;
   std::vector<Choice> choices_;

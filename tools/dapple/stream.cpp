@@ -1,5 +1,5 @@
-// dapple stream: a camera flies over the endless plane, in the terminal, two pixels a character; chunks grow as they come
-// into sight. Piped, every frame waits for its chunks, and the frames come out one below the other: always the same bytes.
+// dapple stream: a camera flies over the endless plane, in the terminal, two pixels a character; chunks grow as they
+// come into sight. Piped, every frame waits for its chunks, and frames come out one below the other, always the same.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>

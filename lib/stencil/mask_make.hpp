@@ -1,11 +1,12 @@
-// Masks in integers. See mask.hpp for what they are.
+// How masks are made, in integers; constexpr, so that firmware can have them made by the compiler. See mask.hpp.
 // SPDX-License-Identifier: MIT
+#pragma once
 #include "mask.hpp"
 
 namespace dapple::stencil {
 
 // exp(-t), t Q16 >= 0, Q30: 2^-whole times a polynomial for 2^-part (worst error 2e-5).
-static int32_t decay(int64_t t) {
+constexpr int32_t decay(int64_t t) {
   const int64_t power = (t * 94548) >> 16;  // log2(e) Q16
   if (power >= (INT64_C(30) << 16)) return 0;
   const int64_t f = power & 65535;  // Q16
@@ -18,14 +19,14 @@ static int32_t decay(int64_t t) {
 }
 
 // u^2 and v^2 of cell (x, y), Q16.
-static int64_t square_q16(int64_t q15) { return (q15 * q15) >> 14; }
+constexpr int64_t square_q16(int64_t q15) { return (q15 * q15) >> 14; }
 
-static bool inside(const MaskShape& s, int16_t x, int16_t y) {
+constexpr bool inside(const MaskShape& s, int16_t x, int16_t y) {
   const int16_t edge = static_cast<int16_t>(2 * s.radius + 1);
   return !s.isotropic || 4 * (x * x + y * y) <= edge * edge;
 }
 
-void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
+constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
   const int64_t milli = s.wavelength / 1000;
   const int64_t across = milli * milli * 657316 / 10000000;  // 2 s^2, 1e-6 cells^2
   const int64_t stretch = s.isotropic ? 1000 : s.stretch / 1000;
@@ -62,17 +63,17 @@ struct Rounding {
 };
 
 // How gladly cell i moves by `step`: its rounding error in that direction, Q8.
-static int16_t gain(const Rounding& r, uint16_t i, int16_t step) {
+constexpr int16_t gain(const Rounding& r, uint16_t i, int16_t step) {
   return static_cast<int16_t>((r.scaled[i] - 256 * r.mask->weight[i]) * step);
 }
 
-static void move(Rounding& r, uint16_t i, int16_t step) {
+constexpr void move(Rounding& r, uint16_t i, int16_t step) {
   r.mask->weight[i] = static_cast<int8_t>(r.mask->weight[i] + step);
   r.used[i] = true;
   r.excess = static_cast<int16_t>(r.excess + step);
 }
 
-static void mend_pairs(Rounding& r) {
+constexpr void mend_pairs(Rounding& r) {
   const int16_t step = static_cast<int16_t>(r.excess > 0 ? -1 : 1);
   while (r.excess * step <= -2) {
     uint16_t best = r.cells;
@@ -85,7 +86,7 @@ static void mend_pairs(Rounding& r) {
 }
 
 // All cells that (x, y) from the centre, 0 <= y <= x, goes to under the symmetries of the square.
-static uint8_t orbit(const Rounding& r, uint8_t x, uint8_t y, uint16_t* cell) {
+constexpr uint8_t orbit(const Rounding& r, uint8_t x, uint8_t y, uint16_t* cell) {
   uint8_t count = 0;
   const int16_t centre = static_cast<int16_t>(r.side / 2);
   for (uint8_t k = 0; k < 8; ++k) {
@@ -99,11 +100,11 @@ static uint8_t orbit(const Rounding& r, uint8_t x, uint8_t y, uint16_t* cell) {
   return count;
 }
 
-static void mend_orbits(Rounding& r) {
+constexpr void mend_orbits(Rounding& r) {
   const int16_t step = static_cast<int16_t>(r.excess > 0 ? -1 : 1);
   const uint8_t radius = static_cast<uint8_t>(r.side / 2);
   for (;;) {
-    uint16_t best[8], cell[8];
+    uint16_t best[8] = {}, cell[8] = {};
     uint8_t size = 0;
     for (uint8_t x = 1; x <= radius; ++x)
       for (uint8_t y = 0; y <= x; ++y) {
@@ -119,7 +120,7 @@ static void mend_orbits(Rounding& r) {
 }
 
 // Rounds the scaled kernel to weights that sum to zero; false when a limit is broken.
-bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask) {
+constexpr bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask) {
   Rounding r{};
   r.mask = &mask;
   r.scaled = scaled;
@@ -141,9 +142,9 @@ bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask
   return mask.sum <= static_cast<int16_t>(kLargestSum);
 }
 
-bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask) {
+constexpr bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask) {
   int32_t kernel[kCells] = {};
-  int16_t scaled[kCells];
+  int16_t scaled[kCells] = {};
   mask.radius = shapes[0].radius;
   for (uint8_t i = 0; i < count; ++i) add_kernel(shapes[i], 16384, kernel);
   const uint16_t cells = static_cast<uint16_t>((2 * mask.radius + 1) * (2 * mask.radius + 1));
@@ -158,7 +159,7 @@ bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask) {
   return false;
 }
 
-bool make_taps(const int8_t* weight, uint8_t rows, uint8_t side, Taps& taps) {
+constexpr bool make_taps(const int8_t* weight, uint8_t rows, uint8_t side, Taps& taps) {
   uint16_t made = 0;
   const uint16_t cells = static_cast<uint16_t>(rows * side);
   for (uint8_t negative = 0; negative < 2; ++negative)
@@ -176,7 +177,7 @@ bool make_taps(const int8_t* weight, uint8_t rows, uint8_t side, Taps& taps) {
   return true;
 }
 
-uint16_t count_of(const Taps& taps) {
+constexpr uint16_t count_of(const Taps& taps) {
   uint16_t sum = 0;
   for (const auto& sign : taps.count)
     for (const uint8_t count : sign) sum = static_cast<uint16_t>(sum + count);
@@ -184,8 +185,8 @@ uint16_t count_of(const Taps& taps) {
 }
 
 // The mask of the next row less this one's: 2 radius + 2 rows. Weights differ by at most 2 * 15.
-static bool make_change(const Mask& mask, Taps& taps) {
-  int8_t weight[(kLargestSide + 1) * kLargestSide];
+constexpr bool make_change(const Mask& mask, Taps& taps) {
+  int8_t weight[(kLargestSide + 1) * kLargestSide] = {};
   const uint16_t side = static_cast<uint16_t>(2 * mask.radius + 1);
   const uint16_t cells = static_cast<uint16_t>(side * side);
   for (uint16_t i = 0; i < cells + side; ++i)
@@ -193,7 +194,7 @@ static bool make_change(const Mask& mask, Taps& taps) {
   return make_taps(weight, static_cast<uint8_t>(side + 1), static_cast<uint8_t>(side), taps);
 }
 
-bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set) {
+constexpr bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set) {
   set.count = count;
   set.radius = masks[0].radius;
   set.sum = masks[0].sum;
@@ -211,15 +212,15 @@ bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet& set) {
   return true;
 }
 
-bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set) {
-  Mask masks[kMaxMasks];
+constexpr bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set) {
+  Mask masks[kMaxMasks] = {};
   const uint8_t made = summed ? 1 : count;
   for (uint8_t i = 0; i < made; ++i)
     if (!make_mask(shapes + i, summed ? count : 1, masks[i])) return false;
   return make_set(masks, made, running, set);
 }
 
-void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) {
+constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) {
   const uint16_t side = static_cast<uint16_t>(2 * set.radius + 1);
   for (uint16_t k = 0; k < side * side; ++k) weight[k] = 0;
   const Taps& taps = whole_of(set, i);
