@@ -16,6 +16,10 @@ Status Texture::begin(const Recipe& recipe, const Domain& domain, uint32_t seed,
   return start(recipe, &recipe, false, domain, seed, memory, bytes, options, need);
 }
 
+static uint8_t* aligned(void* memory) {
+  return static_cast<uint8_t*>(memory) + (-reinterpret_cast<uintptr_t>(memory) & 3u);
+}
+
 Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
@@ -24,20 +28,40 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   if (need != nullptr) *need = wanted;
   if (wanted.status != ok) return wanted.status;
 
-  uint8_t* const aligned = static_cast<uint8_t*>(memory) + (-reinterpret_cast<uintptr_t>(memory) & 3u);
-  recipe_ = stored;
   rom_ = rom;
+  frugal_ = false;
+  rows_in_all_ = wanted.rows;
+  const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
+  const Domain grown = api::with_edge(domain);
+  ready({plan, grown, api::ground_of(domain, wanted), parts, aligned(memory), options.kernels, seed, options.bands}, stored, domain);
+  return ok;
+}
+
+Status Texture::begin(const Fixed& fixed, uint32_t seed, void* memory, size_t bytes) {
+  const Need need = base::rom_load(&fixed.need);
+  if (need.status != ok) return need.status;
+  if (memory == nullptr || bytes < need.bytes) return too_little_memory;
+  rom_ = true;
+  frugal_ = base::rom_load(&fixed.frugal);
+  rows_in_all_ = need.rows;
+  const evolve::Plan plan = {&fixed.recipe.start, fixed.recipe.stage, base::rom_load(&fixed.recipe.stages), true};
+  const Domain domain = base::rom_load(&fixed.domain);
+  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), aligned(memory), nullptr, seed, 1};
+  setup.parts.frugal = frugal_;
+  ready(setup, &fixed.recipe, domain);
+  return ok;
+}
+
+// Lays out the memory: planes, scratch, table, bands, painting (frugal: where scratch is). All has been checked.
+void Texture::ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain) {
+  const evolve::Parts& parts = setup.parts;
+  recipe_ = recipe;
   paint_ = nullptr;
   domain_ = domain;
-  field_ = aligned + parts.planes + parts.scratch + parts.table + parts.bands;
   rows_seen_ = UINT64_MAX;
-  const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
-  const grid::Ground ground = api::ground_of(domain, wanted);
-  rows_in_all_ = wanted.rows;
-  const Domain grown = api::with_edge(domain);
-  work_ = field_ + 3 * grid::scratch_bytes(grid::Cell::int16, grown.width, 1);
-  evolve::begin(run_, plan, grown, ground, seed, options.kernels, options.bands, parts, aligned);
-  return ok;
+  field_ = setup.memory + parts.planes + parts.table + parts.bands + (frugal_ ? 0 : parts.scratch);
+  work_ = field_ + (frugal_ ? 1 : 3) * grid::scratch_bytes(grid::Cell::int16, setup.domain.width, 1);
+  evolve::begin(run_, setup);
 }
 
 Status Texture::step(uint32_t rows) { return evolve::advance(run_, rows) ? more : done; }
@@ -51,6 +75,7 @@ void Texture::look_again() {
 }
 
 void Texture::row(uint16_t y, int16_t* out) {
+  if (frugal_ && run_.phase != evolve::Phase::done) return;
   look_again();
   if (!domain_.plane) return evolve::field_row(run_, y, out, work_);
   const int16_t* row = field_row(y, y);
@@ -65,11 +90,12 @@ int16_t* Texture::field_row(int32_t y, int32_t centre) {
   const auto folded = [&](int32_t row) { return domain_.plane ? row : (row + height) % height; };
   const int32_t wanted = folded(y);
   uint8_t slot = 0;
-  while (slot < 3 && held_rows_[slot] != wanted) ++slot;
-  const bool held = slot < 3;
+  const uint8_t slots = frugal_ ? 1 : 3;
+  while (slot < slots && held_rows_[slot] != wanted) ++slot;
+  const bool held = slot < slots;
   const auto around = [&](int32_t row) { return row == centre || row == folded(centre + 1) || row == folded(centre - 1); };
-  for (uint8_t i = 0; i < 3 && slot == 3; ++i)
-    if (held_rows_[i] == kNone || !around(held_rows_[i])) slot = i;
+  for (uint8_t i = 0; i < slots && slot == slots; ++i)
+    if (frugal_ || held_rows_[i] == kNone || !around(held_rows_[i])) slot = i;
   const uint16_t width = run_.domain.width;
   int16_t* const row = reinterpret_cast<int16_t*>(field_ + slot * grid::scratch_bytes(grid::Cell::int16, width, 1) +
                                                   grid::halo_bytes(grid::Cell::int16, 1));
@@ -91,16 +117,22 @@ void Texture::paint(uint16_t y, Pixels format, void* out) {
 }
 
 void Texture::paint(uint16_t y, const Brush& brush, void* out) {
+  if (frugal_ && run_.phase != evolve::Phase::done) return;
   const Paint paint = paint_ != nullptr ? *paint_ : rom_ ? base::rom_load(&recipe_->paint) : recipe_->paint;
-  const paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
+  paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
   paint::Source source;
   source.width = domain_.width;
   source.y = y;
   source.world_x = domain_.plane ? domain_.x : 0;
   source.world_y = domain_.plane ? domain_.y + y : y;
-  source.above = field_row(y - 1, y);
   source.here = field_row(y, y);
-  source.below = field_row(y + 1, y);
+  if (frugal_) {
+    source.above = source.below = source.here;
+    shader.slope = 0;
+  } else {
+    source.above = field_row(y - 1, y);
+    source.below = field_row(y + 1, y);
+  }
   paint::paint_row(shader, brush, source, static_cast<uint8_t*>(out));
 }
 

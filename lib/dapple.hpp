@@ -197,6 +197,47 @@ constexpr size_t bytes_for(const Preset& preset, const Domain& domain, uint8_t b
   return need_for(preset.recipe, domain, bands).bytes;
 }
 
+// A preset on a domain, with every check and sum done by the compiler: what firmware puts in read-only memory and hands to
+// begin. Status and bytes are in `need`.
+//   constexpr auto masks DAPPLE_ROM = dapple::stored_masks<1>(dapple::presets::zebra_bits);
+//   constexpr dapple::Fixed tile DAPPLE_ROM = dapple::fixed(dapple::presets::zebra_bits, masks, dapple::torus(64, 64), true);
+//   alignas(4) static uint8_t memory[tile.need.bytes];
+struct Fixed {
+  Recipe recipe;
+  Domain domain;
+  Need need;
+  evolve::Parts parts;
+  grid::Ground ground;
+  bool frugal;
+};
+
+// frugal: the memory of the sweeps is used again for painting. Then rows and pixels are there once the texture is done, and
+// colours have no light and normal maps no slope.
+constexpr Fixed fixed(const Recipe& recipe, const Domain& domain, bool frugal = false) {
+  Fixed f{recipe, domain, Need{}, evolve::Parts{}, grid::Ground{}, frugal};
+  f.need = api::need_of(recipe, domain, 1, f.parts);
+  if (f.need.status != ok) return f;
+  f.ground = api::ground_of(domain, f.need);
+  if (!frugal) return f;
+  f.need.paint -= 2 * grid::scratch_bytes(grid::Cell::int16, api::with_edge(domain).width, 1);
+  f.need.bytes = f.need.planes + (f.need.scratch > f.need.paint ? f.need.scratch : f.need.paint) + f.need.rest;
+  return f;
+}
+constexpr Fixed fixed(const Preset& preset, const Domain& domain, bool frugal = false) { return fixed(preset.recipe, domain, frugal); }
+
+// The masks of a preset of the family bits, n of them; for one on the same numbers.
+template <uint8_t n> constexpr stencil::StoredMasks<n> stored_masks(const Preset& preset) {
+  return evolve::stored_masks<n>(preset.recipe.stage[0].number);
+}
+template <uint8_t n>
+constexpr Fixed fixed(const Preset& preset, const stencil::StoredMasks<n>& masks, const Domain& domain, bool frugal = false) {
+  Recipe recipe = preset.recipe;
+  recipe.stage[0].solver = &evolve::stored;
+  recipe.stage[0].stored = &masks;
+  if (masks.set.count != n) recipe.stages = 0;
+  return fixed(recipe, domain, frugal);
+}
+
 // One texture on its way. The struct and the memory are the whole state: copyable together, no destructor needed.
 class Texture {
  public:
@@ -208,6 +249,8 @@ class Texture {
                const Options& options = Options{}, Need* need = nullptr);
   Status begin(Recipe&& recipe, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
                const Options& options = Options{}, Need* need = nullptr) = delete;  // would dangle
+  // What the compiler has checked; a DAPPLE_ROM constant. Only the memory is looked at.
+  Status begin(const Fixed& fixed, uint32_t seed, void* memory, size_t bytes);
 
   // Up to `rows` rows of work: more, or done. Whatever the slicing, the same bytes.
   Status step(uint32_t rows);
@@ -237,6 +280,7 @@ class Texture {
  private:
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
+  void ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   int16_t* field_row(int32_t y, int32_t centre);
 
@@ -250,6 +294,7 @@ class Texture {
   int32_t held_rows_[3];    // which row a slot holds, as of rows_seen_
   uint64_t rows_seen_;
   bool rom_;
+  bool frugal_;
 };
 
 }  // namespace dapple

@@ -3,45 +3,24 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "base/hash.hpp"
-#include "grow.hpp"
+#include "onebit.hpp"
 
 namespace cells = dapple::cells;
 namespace evolve = dapple::evolve;
 namespace grid = dapple::grid;
 using dapple::Recipe;
-using tests::Grown;
+using tests::made;
+using tests::Torus;
 
 namespace {
 
 constexpr uint32_t kSeed = 5;
 
-// A torus of cells.
-struct Torus {
-  int width, height;
-  std::vector<int> value;
-  Torus(int w, int h) : width(w), height(h), value(static_cast<size_t>(w * h)) {}
-  int& at(int x, int y) {
-    return value[static_cast<size_t>((y % height + height) % height * width + (x % width + width) % width)];
-  }
-  int count() const { return static_cast<int>(std::count(value.begin(), value.end(), 1)); }
-  bool operator==(const Torus& other) const { return value == other.value; }
-};
-
-template <class Value>
-Torus made(int width, int height, Value value) {
-  Torus t(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) t.at(x, y) = value(x, y);
-  return t;
-}
-
 // The definition: bit 16 left + 8 right + 4 upper + 2 lower + self of the program.
-Torus next(Torus& t, uint32_t program) {
+Torus next(const Torus& t, uint32_t program) {
   return made(t.width, t.height, [&](int x, int y) {
     const int index = 16 * t.at(x - 1, y) + 8 * t.at(x + 1, y) + 4 * t.at(x, y - 1) + 2 * t.at(x, y + 1) + t.at(x, y);
     return static_cast<int>(program >> index & 1);
@@ -71,18 +50,16 @@ Recipe recipe_of(uint32_t program, int steps) {
 }
 
 Torus grown(const Recipe& recipe, dapple::Domain d, const dapple::Options& options = dapple::Options{}, uint32_t budget = UINT32_MAX) {
-  Grown tile(recipe, d, kSeed, budget, options);
-  REQUIRE(tile.status == dapple::ok);
-  const std::vector<int16_t> field = tile.field();
-  return made(d.width, d.height, [&](int x, int y) {
-    const int16_t value = field[static_cast<size_t>(y * d.width + x)];
+  Torus field = tests::grown(recipe, d, kSeed, options, budget);
+  for (int& value : field.value) {
     if (value != 0 && value != cells::kUnit) FAIL("a cell is on or off");
-    return value == cells::kUnit ? 1 : 0;
-  });
+    value /= cells::kUnit;
+  }
+  return field;
 }
 
 // The library's steps on cells that were set by hand.
-Torus grown_from(Torus start, uint32_t program, int steps) {
+Torus grown_from(const Torus& start, uint32_t program, int steps) {
   const Recipe recipe = recipe_of(program, steps);
   const dapple::Domain d = dapple::torus(static_cast<uint16_t>(start.width), static_cast<uint16_t>(start.height));
   const grid::Ground ground = {d.width, d.height, 0, 0};
@@ -90,8 +67,8 @@ Torus grown_from(Torus start, uint32_t program, int steps) {
   const evolve::Parts parts = dapple::api::parts_of(recipe, ground, false, 1, need);
   std::vector<uint64_t> memory((parts.planes + parts.scratch + parts.table + parts.bands + 7) / 8);
   evolve::Run run;
-  evolve::begin(run, {&recipe.start, recipe.stage, 1, false}, d, ground, kSeed, nullptr, 1, parts,
-                reinterpret_cast<uint8_t*>(memory.data()));
+  const evolve::Plan plan = {&recipe.start, recipe.stage, 1, false};
+  evolve::begin(run, {plan, d, ground, parts, reinterpret_cast<uint8_t*>(memory.data()), nullptr, kSeed, 1});
   evolve::advance(run, d.height);  // the start, which is thrown away
   const auto row = [&](int y) { return evolve::row_of(run.field, 0, static_cast<uint16_t>(y)); };
   for (int y = 0; y < start.height; ++y)
@@ -144,7 +121,7 @@ TEST_CASE("cells: windows of the plane are the definition and parts of one anoth
     const uint16_t width = static_cast<uint16_t>(8 + random() % 90), height = static_cast<uint16_t>(8 + random() % 30);
     const Torus wide = grown(recipe_of(program, 0), dapple::window(x - around, y - around, static_cast<uint16_t>(width + 2 * around),
                                                                    static_cast<uint16_t>(height + 2 * around)));
-    Torus all = after(wide, program, steps);
+    const Torus all = after(wide, program, steps);
     const Torus want = made(width, height, [&](int cx, int cy) { return all.at(cx + around, cy + around); });
     CAPTURE(i);
     for (const auto& swap : kSwaps) {
@@ -158,7 +135,7 @@ TEST_CASE("cells: windows of the plane are the definition and parts of one anoth
 
 TEST_CASE("cells: identity, complement and the four shifts") {
   const dapple::Domain d = dapple::torus(75, 43);
-  Torus start = grown(recipe_of(0, 0), d);
+  const Torus start = grown(recipe_of(0, 0), d);
   const auto shifted = [&](int dx, int dy) { return made(75, 43, [&](int x, int y) { return start.at(x - dx, y - dy); }); };
   CHECK(start.count() > 75 * 43 * 4 / 10);
   CHECK(grown(recipe_of(0, 1), d).count() == 0);
@@ -177,7 +154,7 @@ TEST_CASE("cells: identity, complement and the four shifts") {
 TEST_CASE("cells: parity copies any pattern") {
   const uint32_t parity = totalistic(0b01010, 0b01010), with_self = totalistic(0b01010, 0b10101);
   CHECK(with_self == 0x96696996u);
-  Torus start = grown(recipe_of(0, 0), dapple::torus(150, 90));
+  const Torus start = grown(recipe_of(0, 0), dapple::torus(150, 90));
   for (const bool self : {false, true})
     for (const int steps : {1, 2, 4, 8, 16, 32, 64}) {
       const uint32_t program = self ? with_self : parity;

@@ -247,7 +247,7 @@ dapple::Recipe recipe_of(const Toy& t, const Path& path) {
                                 : path.level[i] == path.level[i - 1] ? dapple::Entry::carry
                                                                      : dapple::Entry::refine;
     recipe.stage[i] = {&t.model,      &evolve::direct, path.steps[i],
-                       path.level[i], entry,           {t.radius, t.planes, static_cast<int32_t>(7 * i)}, evolve::refine_row};
+                       path.level[i], entry,           {t.radius, t.planes, static_cast<int32_t>(7 * i)}, evolve::refine_row, nullptr};
   }
   return recipe;
 }
@@ -287,7 +287,7 @@ Planes library_run(const Toy& t, const Path& path, tests::Size size, uint32_t se
   std::vector<uint64_t> memory((parts.planes + parts.scratch + parts.table + parts.bands + 7) / 8);
   const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
   evolve::Run run;
-  evolve::begin(run, plan, domain, ground, seed, nullptr, bands, parts, reinterpret_cast<uint8_t*>(memory.data()));
+  evolve::begin(run, {plan, domain, ground, parts, reinterpret_cast<uint8_t*>(memory.data()), nullptr, seed, bands});
   uint64_t rows = 0;
   for (bool more = true; more; rows = run.rows) {
     more = evolve::advance(run, budget);

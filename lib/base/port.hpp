@@ -4,6 +4,25 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// Old C libraries hide these from C++ unless asked before the first inclusion of <stdint.h>.
+#ifndef INT32_MAX
+#define UINT16_MAX 65535U
+#define INT32_MAX 2147483647L
+#define INT32_MIN (-INT32_MAX - 1)
+#define UINT32_MAX 4294967295UL
+#define INT64_MAX 9223372036854775807LL
+#define UINT64_MAX 18446744073709551615ULL
+#endif
+#ifndef SIZE_MAX
+#define SIZE_MAX static_cast<size_t>(-1)
+#endif
+#ifndef INT32_C
+#define INT32_C(number) number##L
+#define UINT32_C(number) number##UL
+#define INT64_C(number) number##LL
+#define UINT64_C(number) number##ULL
+#endif
+
 // DAPPLE_ROM marks constant data that must not cost RAM. On AVR flash is a second address space, so such data is read
 // through rom_load and nothing else; everywhere else both are the plain thing.
 #if defined(__AVR__)
@@ -19,15 +38,16 @@ namespace dapple::base {
 
 // rom_load(p) == *p for an object that was defined DAPPLE_ROM.
 #if defined(__AVR__)
+// One function for all of them: less flash, and no load is woven into large functions, where clang 14 was seen to copy
+// pointers wrongly.
+__attribute__((noinline)) inline void rom_copy(void* to, const void* from, uint16_t count) {
+  uint8_t* byte = static_cast<uint8_t*>(to);
+  const uint8_t* rom = static_cast<const uint8_t*>(from);
+  for (; count > 0; --count) asm volatile("lpm %0, Z+" : "=r"(*byte++), "+z"(rom));
+}
 template <class T> inline T rom_load(const T* p) {
   T value;
-  uint8_t* to = reinterpret_cast<uint8_t*>(&value);
-  const uint8_t* from = reinterpret_cast<const uint8_t*>(p);
-  for (uint16_t i = 0; i < sizeof(T); ++i) {
-    uint8_t byte;
-    asm("lpm %0, Z" : "=r"(byte) : "z"(from + i));
-    to[i] = byte;
-  }
+  rom_copy(&value, p, sizeof value);
   return value;
 }
 #else

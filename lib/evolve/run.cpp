@@ -58,25 +58,25 @@ static void open_stage(Run& run) {
   }
 }
 
-void begin(Run& run, const Plan& plan, const Domain& domain, const Ground& ground, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
-           const Parts& parts, uint8_t* memory) {
-  run.plan = plan;
-  run.domain = domain;
-  run.ground = ground;
+void begin(Run& run, const Setup& setup) {
+  const Parts& parts = setup.parts;
+  run.plan = setup.plan;
+  run.domain = setup.domain;
+  run.ground = setup.ground;
   run.spent = 0;
-  run.seed = seed;
-  run.kernels = kernels;
-  const Stage first = load_stage(plan, 0);
-  const Model model = rom_load(first.model);
-  run.field.planes = memory;
+  run.seed = setup.seed;
+  run.kernels = setup.kernels;
+  const Model model = rom_load(load_stage(run.plan, 0).model);
   run.field.cell = model.cell;
-  const uint8_t finest = load_stage(plan, static_cast<uint8_t>(plan.stages - 1)).level;
-  run.field.plane_bytes = grid::row_bytes(model.cell, at_level(ground.width, finest)) * at_level(ground.height, finest);
-  run.field.scratch = memory + parts.planes;
-  run.field.band_bytes = parts.scratch / bands;
-  run.field.bands = bands;
-  run.table = reinterpret_cast<int32_t*>(run.field.scratch + parts.scratch);
-  run.band = reinterpret_cast<Band*>(run.field.scratch + parts.scratch + parts.table);
+  const uint8_t finest = load_stage(run.plan, static_cast<uint8_t>(run.plan.stages - 1)).level;
+  run.field.plane_bytes = grid::row_bytes(model.cell, at_level(run.ground.width, finest)) * at_level(run.ground.height, finest);
+  run.field.planes = setup.memory;
+  run.field.scratch = setup.memory + parts.planes + (parts.frugal ? parts.table + parts.bands : 0);
+  run.field.band_bytes = parts.scratch / setup.bands;
+  run.field.bands = setup.bands;
+  uint8_t* const table = parts.frugal ? setup.memory + parts.planes : run.field.scratch + parts.scratch;
+  run.table = reinterpret_cast<int32_t*>(table);
+  run.band = reinterpret_cast<Band*>(table + parts.table);
   run.rows = 0;
   run.index = 0;
   run.clock = {0, 0};

@@ -76,6 +76,7 @@ struct Run {
 struct Parts {
   size_t planes, scratch, table, bands;
   bool fits;
+  bool frugal = false;  // scratch comes last, so that it may be used for something else in the end
 };
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
@@ -117,9 +118,18 @@ constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach
   return total;
 }
 
-// memory: parts.planes + scratch + table + bands bytes, aligned to 4. All arguments have been checked.
-void begin(Run& run, const Plan& plan, const Domain& domain, const Ground& ground, uint32_t seed, const grid::KernelSwap* kernels, uint8_t bands,
-           const Parts& parts, uint8_t* memory);
+// What a run begins with; all of it has been checked. memory: planes, scratch, table and bands of parts, aligned to 4.
+struct Setup {
+  Plan plan;
+  Domain domain;
+  Ground ground;
+  Parts parts;
+  uint8_t* memory;
+  const grid::KernelSwap* kernels;
+  uint32_t seed;
+  uint8_t bands;
+};
+void begin(Run& run, const Setup& setup);
 
 // At most `rows` rows of work; false when nothing is left to do.
 bool advance(Run& run, uint32_t rows);

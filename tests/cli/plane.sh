@@ -43,7 +43,7 @@ refused() {
 }
 
 python=no
-if command -v python3 > /dev/null; then python=yes; else echo "python3 is missing: pixels and terminal are not tested"; fi
+if command -v python3 > /dev/null; then python=yes; else echo "python3 is missing: pixels, terminal are not tested"; fi
 ask() { [ $python = no ] || check "$*" python3 "$here/plane.py" "$@"; }
 
 zebra="bits scale=9 stretch=3 angle=78.5 steps=8 ramp=zebra range=-0.95,0.95 light=1"

@@ -70,7 +70,7 @@ test_words() {
   equal "no arguments: exit code" $? 2
   equal "no arguments: stdout" "$(cat "$folder/out")" ""
   check "no arguments: usage on stderr" grep -q '^usage: dapple' "$folder/err"
-  for command in "" list grow info sheet; do
+  for command in "" list grow info sheet stream rule; do
     # shellcheck disable=SC2086
     run $command --help > "$folder/help" 2> "$folder/err"
     equal "$command --help: exit code" $? 0
@@ -81,7 +81,7 @@ test_words() {
 }
 
 test_list() {
-  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|gray-scott) +[^ ].*[^ ]$')" 0
+  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|gray-scott|bits|flow|cells) +[^ ].*[^ ]$')" 0
   check "list has zebra" grep -q '^zebra  *threshold  *[a-z]' <(run list)
   run list --json > "$folder/list.json"
   [ $python = no ] || equal "list --json" "$(python3 -c 'import json, sys
@@ -270,7 +270,7 @@ test_usage_errors() {
   refused 2 "'more'" -- grow zebra more
   refused 2 "'more'" -- list more
   refused 2 "'zebra'" -- sheet zebra
-  refused 2 "'--at'" --size --seed -- grow zebra --at 1,2
+  refused 2 "'--at'" --size --seed -- sheet --at 1,2
   refused 2 "'--seed'" --json -- info zebra --seed 2
   refused 2 "'--size'" --json -- list --size 2
   local option

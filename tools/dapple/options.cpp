@@ -142,7 +142,7 @@ const Option kOptions[] = {
      [](Options& o, const std::string&) { o.text = true; }},
     {"--map", nullptr, in_rule, "print the program as Golly's MAP, and grow nothing",
      [](Options& o, const std::string&) { o.map = true; }},
-    {"--budget", "N", in_rule, "of complete: choices before it gives up (200000); else rows of work at once",
+    {"--budget", "N", in_rule, "of complete: cells it chooses before it gives up (200000); else rows of work at once",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX), o.tries = o.budget; }},
     {"--style", "STYLE", in_rule, "of random: uniform, inertia, mirror, outer-totalistic (inertia)",
      [](Options& o, const std::string& v) { o.style = static_cast<uint8_t>(choice("--style", v, kStyles)); }},

@@ -13,8 +13,11 @@ constexpr unsigned kSlots = 5;
 constexpr uint32_t kOn[kSlots] = {0xaaaaaaaa, 0xcccccccc, 0xf0f0f0f0, 0xff00ff00, 0xffff0000};
 constexpr unsigned kMirrored[kSlots] = {0, 2, 1, 4, 3};  // the slot a cell has in the neighbourhood of its neighbour
 
-constexpr uint32_t kLooks = 16;       // open cells among which one is chosen
-constexpr uint64_t kFirstLimit = 50;  // dead ends before the first restart; half as many again each time
+constexpr uint32_t kLooks = 16;  // open cells among which one is chosen
+constexpr uint64_t kFirstLimit =
+    50;  // dead ends before the first restart, and one for every 16 cells; half as many again each time
+
+constexpr uint64_t kCellsEach = 100;  // that may be settled for each choice of the budget
 
 static unsigned count_bits(uint32_t mask) {
   unsigned count = 0;
@@ -29,14 +32,18 @@ Completion::Completion(uint32_t program, uint16_t width, uint16_t height, const 
       height_(height),
       cells_(width_ * height_),
       mask_(cells_),
-      value_(cells_) {
+      value_(cells_),
+      column_(cells_),
+      next_(cells_ + 1),
+      previous_(cells_ + 1) {
+  for (uint32_t cell = 0; cell < cells_; ++cell) column_[cell] = static_cast<uint16_t>(cell % width_);
   for (unsigned k = 0; k < 32; ++k)
     if ((program >> k & 1) == (k & 1)) allowed_ |= UINT32_C(1) << k;
 }
 
 // The cell in slot 0 self, 1 lower, 2 upper, 3 right, 4 left.
 uint32_t Completion::around(uint32_t cell, unsigned slot) const {
-  const uint32_t x = cell % width_;
+  const uint32_t x = column_[cell];
   switch (slot) {
     case 1:
       return cell + width_ < cells_ ? cell + width_ : x;
@@ -70,6 +77,8 @@ bool Completion::settle(uint32_t cell, uint8_t value) {
   if (value_[cell] != open) return value_[cell] == value;
   value_[cell] = value;
   settled_.push_back(cell);
+  next_[previous_[cell]] = next_[cell];
+  previous_[next_[cell]] = previous_[cell];
   return true;
 }
 
@@ -89,8 +98,11 @@ bool Completion::begin() {
   changes_.clear();
   settled_.clear();
   choices_.clear();
-  first_open_ = 0;
   done_ = 0;
+  for (uint32_t cell = 0; cell <= cells_; ++cell) {
+    next_[cell] = cell == cells_ ? 0 : cell + 1;
+    previous_[next_[cell]] = cell;
+  }
   for (uint32_t cell = 0; cell < cells_; ++cell)
     if (!narrow(cell, allowed_)) return false;
   return propagate();
@@ -98,25 +110,26 @@ bool Completion::begin() {
 
 void Completion::take_back(size_t changes, size_t settled) {
   for (; changes_.size() > changes; changes_.pop_back()) mask_[changes_.back().cell] = changes_.back().mask;
-  for (; settled_.size() > settled; settled_.pop_back()) value_[settled_.back()] = open;
+  for (; settled_.size() > settled; settled_.pop_back()) {  // back into the ring, the last one first
+    const uint32_t cell = settled_.back();
+    value_[cell] = open;
+    next_[previous_[cell]] = previous_[next_[cell]] = cell;
+  }
   done_ = settled;
 }
 
 // Chooses the most constrained of the next open cells; false when all are settled.
 bool Completion::choose(uint32_t seed) {
-  while (first_open_ < cells_ && value_[first_open_] != open) ++first_open_;
-  if (first_open_ == cells_) return false;
-  uint32_t chosen = first_open_, seen = 0;
+  uint32_t chosen = next_[cells_], seen = 0;
+  if (chosen == cells_) return false;
   unsigned fewest = 33;
-  for (uint32_t cell = first_open_; cell < cells_ && seen < kLooks; ++cell) {
-    if (value_[cell] != open) continue;
-    ++seen;
+  for (uint32_t cell = chosen; cell != cells_ && seen < kLooks; cell = next_[cell], ++seen) {
     const unsigned count = count_bits(mask_[cell]);
     if (count >= fewest) continue;
     fewest = count;
     chosen = cell;
   }
-  choices_.push_back({chosen, first_open_, changes_.size(), settled_.size(), false});
+  choices_.push_back({chosen, changes_.size(), settled_.size(), false});
   return settle(chosen, (dapple::base::hash(seed, 0, 0, static_cast<int32_t>(chosen)) & 1) != 0 ? on : off);
 }
 
@@ -126,7 +139,6 @@ bool Completion::retreat() {
     Choice& choice = choices_.back();
     const uint8_t other = value_[choice.cell] == on ? off : on;
     take_back(choice.changes, choice.settled);
-    first_open_ = choice.first_open;
     if (choice.second) continue;
     choice.second = true;
     return settle(choice.cell, other);
@@ -135,31 +147,35 @@ bool Completion::retreat() {
 }
 
 // From what is settled by now. Chronological backtracking.
-Answer Completion::try_once(uint32_t seed, uint64_t choices, uint64_t dead_ends, Effort& effort) {
-  uint64_t ends = 0;
-  for (uint64_t made = 0;;) {
-    if (!propagate()) {
+Answer Completion::try_once(uint32_t seed, const Effort& end, Effort& effort) {
+  for (;;) {
+    const size_t before = done_;
+    const bool possible = propagate();
+    effort.cells += done_ - before;
+    if (!possible) {
       ++effort.dead_ends;
       if (!retreat()) return Answer::none;
-      if (++ends == dead_ends) return Answer::unknown;
+      if (effort.dead_ends == end.dead_ends) return Answer::unknown;
       continue;
     }
-    if (made == choices) return Answer::unknown;
+    if (effort.choices >= end.choices || effort.cells >= end.cells) return Answer::unknown;
     if (!choose(seed)) return Answer::stable;
-    ++made;
-    if (++effort.choices % 256 == 0 && report_) report_(made, choices);
+    if (++effort.choices % 256 == 0 && report_) report_(effort.choices, end.choices);
   }
 }
 
 // From what is settled by now, with restarts.
 Answer Completion::search_from(uint32_t seed, uint64_t budget, Effort& effort) {
   const size_t changes = changes_.size(), settled = settled_.size();
-  const uint64_t end = effort.choices + budget;
-  for (uint64_t limit = kFirstLimit; effort.choices < end; limit += limit / 2, ++effort.restarts) {
+  Effort end = effort;
+  end.choices += budget;
+  end.cells += budget * kCellsEach;
+  for (uint64_t limit = kFirstLimit + cells_ / 16; effort.choices < end.choices && effort.cells < end.cells;
+       limit += limit / 2) {
     choices_.clear();
-    first_open_ = 0;
     take_back(changes, settled);
-    const Answer answer = try_once(dapple::base::mix(seed + effort.restarts), end - effort.choices, limit, effort);
+    end.dead_ends = effort.dead_ends + limit;
+    const Answer answer = try_once(dapple::base::mix(seed + effort.searches++), end, effort);
     if (answer != Answer::unknown) return answer;
   }
   return Answer::unknown;

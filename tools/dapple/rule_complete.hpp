@@ -18,7 +18,8 @@ enum class Answer : uint8_t { stable, none, unknown };
 struct Effort {
   uint64_t choices = 0;    // cells chosen
   uint64_t dead_ends = 0;  // choices taken back
-  uint32_t restarts = 0;
+  uint64_t cells = 0;      // settled by choices and what followed from them
+  uint32_t searches = 0;   // the first one and restarts
 };
 
 // One search on one torus.
@@ -26,8 +27,8 @@ class Completion {
  public:
   Completion(uint32_t program, uint16_t width, uint16_t height, const Report& report = {});
 
-  // Gives up, with `unknown`, after `budget` choices. `none` is proved. The seed decides the states that are tried
-  // first.
+  // `none` is proved. Gives up, with `unknown`, after `budget` choices, or when a hundred times as many cells were
+  // settled. The seed decides the states that are tried first. budget <= 10^12.
   Answer search(uint32_t seed, uint64_t budget, Effort& effort);
   // The same, with one cell given.
   Answer search_with(uint16_t x, uint16_t y, bool on, uint32_t seed, uint64_t budget, Effort& effort);
@@ -54,7 +55,7 @@ class Completion {
   bool choose(uint32_t seed);
   bool retreat();
   Answer search_from(uint32_t seed, uint64_t budget, Effort& effort);
-  Answer try_once(uint32_t seed, uint64_t choices, uint64_t dead_ends, Effort& effort);
+  Answer try_once(uint32_t seed, const Effort& end, Effort& effort);
 
   uint32_t allowed_;
   Report report_;
@@ -62,6 +63,7 @@ class Completion {
   size_t done_ = 0;  // settled cells whose consequences are drawn
   std::vector<uint32_t> mask_;
   std::vector<uint8_t> value_;
+  std::vector<uint16_t> column_;
   std::vector<uint32_t> next_, previous_;  // open cells in raster order, a ring through cells_
   std::vector<Change> changes_;
   std::vector<uint32_t> settled_;

@@ -134,8 +134,8 @@ void print_answer(const Completed& done, const Subject& subject, const Options& 
     return finish_standard_output();
   }
   print_json_head(subject, options);
-  std::printf(", \"answer\": \"%s\", \"choices\": %" PRIu64 ", \"dead_ends\": %" PRIu64 ", \"restarts\": %" PRIu32,
-              name_of(done.answer), done.effort.choices, done.effort.dead_ends, done.effort.restarts);
+  std::printf(", \"answer\": \"%s\", \"choices\": %" PRIu64 ", \"dead_ends\": %" PRIu64 ", \"searches\": %" PRIu32,
+              name_of(done.answer), done.effort.choices, done.effort.dead_ends, done.effort.searches);
   if (done.answer == Answer::stable)
     std::printf(", \"tile_width\": %u, \"tile_height\": %u", unsigned{done.tile_width}, unsigned{done.tile_height});
   std::printf("}\n");

@@ -43,15 +43,16 @@ class Camera {
     wanted_ = key == Key::right ? 0 : key == Key::down ? 0x4000 : key == Key::left ? 0x8000 : 0xc000;
   }
 
-  // One frame, up to the edge of the plane.
+  // One frame. At the edge of the plane it goes along it and turns away.
   void fly(View view) {
     ++frame_;
+    const auto wave = [&](uint32_t pace) { return dapple::base::sine(static_cast<uint16_t>(pace * frame_)); };
     const int32_t turn = steered_ ? static_cast<int16_t>(static_cast<uint16_t>(wanted_ - heading_)) / 12
-                                  : (dapple::base::sine(static_cast<uint16_t>(97 * frame_)) >> 8) +
-                                        (dapple::base::sine(static_cast<uint16_t>(31 * frame_)) >> 8);
+                                  : (wave(97) >> 8) + (wave(31) >> 10);
     heading_ = static_cast<uint16_t>(heading_ + turn);
-    x_ = moved(x_, dapple::base::cosine(heading_), view.width);
-    y_ = moved(y_, dapple::base::sine(heading_), view.height);
+    const bool across = move(x_, dapple::base::cosine(heading_), view.width);
+    const bool down = move(y_, dapple::base::sine(heading_), view.height);
+    if (!across || !down) heading_ = static_cast<uint16_t>(heading_ + 0x400);
   }
 
   Place place() const { return {static_cast<int32_t>(x_ >> 8), static_cast<int32_t>(y_ >> 8)}; }
@@ -60,8 +61,11 @@ class Camera {
   static constexpr int32_t kPart = 256, kSpeed = 400;  // of a pixel; parts a frame
   static constexpr int64_t kEdge = dapple::kFarthest - 2 * dapple::kWidestHalo;
 
-  static int64_t moved(int64_t at, int32_t direction, uint16_t size) {
-    return std::clamp(at + ((direction * kSpeed) >> 15), -kEdge * kPart, (kEdge - size) * kPart);
+  // direction: Q15. False at the edge.
+  static bool move(int64_t& at, int32_t direction, uint16_t size) {
+    const int64_t wanted = at + ((direction * kSpeed) >> 15);
+    at = std::clamp(wanted, -kEdge * kPart, (kEdge - size) * kPart);
+    return at == wanted;
   }
 
   int64_t x_, y_;  // 1/kPart pixel
