@@ -13,10 +13,8 @@ constexpr unsigned kSlots = 5;
 constexpr uint32_t kOn[kSlots] = {0xaaaaaaaa, 0xcccccccc, 0xf0f0f0f0, 0xff00ff00, 0xffff0000};
 constexpr unsigned kMirrored[kSlots] = {0, 2, 1, 4, 3};  // the slot a cell has in the neighbourhood of its neighbour
 
-constexpr uint32_t kLooks = 16;  // open cells among which one is chosen
-constexpr uint64_t kFirstLimit =
-    50;  // dead ends before the first restart, and one for every 16 cells; half as many again each time
-
+constexpr uint32_t kLooks = 16;       // open cells among which one is chosen
+constexpr uint64_t kFirstLimit = 50;  // dead ends before the first restart; half as many again each time
 constexpr uint64_t kCellsEach = 100;  // that may be settled for each choice of the budget
 
 static unsigned count_bits(uint32_t mask) {
@@ -170,8 +168,7 @@ Answer Completion::search_from(uint32_t seed, uint64_t budget, Effort& effort) {
   Effort end = effort;
   end.choices += budget;
   end.cells += budget * kCellsEach;
-  for (uint64_t limit = kFirstLimit + cells_ / 16; effort.choices < end.choices && effort.cells < end.cells;
-       limit += limit / 2) {
+  for (uint64_t limit = kFirstLimit; effort.choices < end.choices && effort.cells < end.cells; limit += limit / 2) {
     choices_.clear();
     take_back(changes, settled);
     end.dead_ends = effort.dead_ends + limit;
