@@ -1,6 +1,5 @@
-// Binary convolution against its definition: plain sums over the weights of whole tori, double-buffered; kernels, bands,
-// budgets and windows that must not change a bit; starts; what is refused.
-// SPDX-License-Identifier: MIT
+// Binary convolution against its definition: plain sums over the weights of whole tori, double-buffered; kernels,
+// bands, budgets and windows that must not change a bit; starts; what is refused. SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -40,7 +39,8 @@ std::vector<stencil::Mask> masks_of(const int32_t* n) {
 Torus differences(const int32_t* n, const Torus& cells) {
   const int r = n[bits::radius], side = 2 * r + 1;
   const std::vector<stencil::Mask> masks = masks_of(n);
-  const Torus wide = made(cells.width + 2 * r, cells.height + 2 * r, [&](int x, int y) { return cells.at(x - r, y - r); });
+  const Torus wide =
+      made(cells.width + 2 * r, cells.height + 2 * r, [&](int x, int y) { return cells.at(x - r, y - r); });
   return made(cells.width, cells.height, [&](int x, int y) {
     int most = INT32_MIN, least = INT32_MAX;
     for (const stencil::Mask& m : masks) {
@@ -61,7 +61,8 @@ int threshold_at(const int32_t* n, uint32_t step, uint32_t steps, int sum) {
   const int32_t* s = n + bits::rho;
   const int64_t one = 1000000, at = one * step, begin = int64_t{s[2]} * steps, end = int64_t{s[3]} * steps;
   int64_t rho = at < begin ? s[0] : s[1];
-  if (at >= begin && at < end) rho = s[0] + floor_divide(2 * (s[1] - s[0]) * (at - begin) + (end - begin), 2 * (end - begin));
+  if (at >= begin && at < end)
+    rho = s[0] + floor_divide(2 * (s[1] - s[0]) * (at - begin) + (end - begin), 2 * (end - begin));
   return static_cast<int>(floor_divide(2 * rho * sum + one, 2 * one));
 }
 
@@ -84,7 +85,8 @@ Torus field_plainly(const Recipe& recipe, const Torus& cells) {
   const int64_t factor = floor_divide(2 * 256 * 8000 + sum, 2 * sum);
   for (int& value : d.value) {
     const double exact = std::max(-8000.0, std::min(8000.0, 8000.0 * value / sum));
-    value = static_cast<int>(std::max<int64_t>(-8000, std::min<int64_t>(8000, floor_divide(value * factor + 128, 256))));
+    value =
+        static_cast<int>(std::max<int64_t>(-8000, std::min<int64_t>(8000, floor_divide(value * factor + 128, 256))));
     if (std::fabs(value - exact) > 1) FAIL("the field is 8000 D / P");
   }
   return d;
@@ -174,7 +176,8 @@ TEST_CASE("bits: random recipes are their definition") {
 TEST_CASE("bits: tiles smaller than their masks, and seams at every height") {
   for (const int level : {0, 1, 2})
     for (int side = 8; side <= 24; ++side) {
-      const dapple::Domain d = dapple::torus(static_cast<uint16_t>((32 - side) << level), static_cast<uint16_t>(side << level));
+      const dapple::Domain d =
+          dapple::torus(static_cast<uint16_t>((32 - side) << level), static_cast<uint16_t>(side << level));
       Recipe recipe = tests::preset_with(side % 2 == 0 ? "weave-bits" : "labyrinth-bits", "window=5 scale=4.2 steps=4");
       recipe.stage[0].level = static_cast<uint8_t>(level);
       CAPTURE(level);
@@ -193,7 +196,9 @@ struct Variant {
 };
 static const Variant kVariants[] = {
     {"as it is", sliced, {{nullptr, nullptr}}},
-    {"by table", sliced, {{stencil::convolve_row, stencil::convolve_by_table}, {stencil::field_row, stencil::field_by_table}}},
+    {"by table",
+     sliced,
+     {{stencil::convolve_row, stencil::convolve_by_table}, {stencil::field_row, stencil::field_by_table}}},
     {"8 bits", sliced, {{stencil::convolve_row, stencil::convolve_row8}}},
     {"32 bits", sliced, {{stencil::convolve_row, stencil::convolve_row32}}},
     {"64 bits", sliced, {{stencil::convolve_row, stencil::convolve_row64}}},
@@ -233,7 +238,7 @@ static void check_variants(const Recipe& recipe, const dapple::Domain& domain, D
       options.kernels = v.swap;
       const uint32_t budgets[] = {1, 3, 50, UINT32_MAX};
       const uint32_t budget = budgets[dice.roll(0, 3)];
-      INFO(v.name << " bands " << int(bands) << " budget " << budget);
+      INFO(std::string(v.name) << " bands " << int(bands) << " budget " << budget);
       CHECK(grown(changed, domain, kSeed, options, budget) == want);
     }
 }
@@ -293,32 +298,55 @@ TEST_CASE("bits: a coarse grid starts like a fine one of its size") {
   const char* half = "level=0 pitch=13 radius=2.6";
   CHECK(same("reptile-bits", "level=1", torus(150, 90, 10, -36), half, torus(75, 45, 5, -18)));
   CHECK(same("reptile-bits", "level=1", window(-150, 90, 80, 70), half, window(-75, 45, 40, 35)));
-  CHECK(same("reptile-bits", "level=2", window(-152, 88, 80, 72), "level=0 pitch=6.5 radius=1.3", window(-38, 22, 20, 18)));
+  CHECK(same("reptile-bits", "level=2", window(-152, 88, 80, 72), "level=0 pitch=6.5 radius=1.3",
+             window(-38, 22, 20, 18)));
 }
 
 // --- What is refused -------------------------------------------------------------------------------------------------
 
 TEST_CASE("bits: numbers beyond their ranges are refused with bounds") {
   constexpr int32_t kM = 1000000;
-  for (const tests::Beyond& beyond : std::vector<tests::Beyond>{
-           {"bits window=9", 4, 8}, {"bits window=3", 4, 8}, {"bits masks=0", 1, 5}, {"bits masks=6", 1, 5},
-           {"bits scale=18.000001", 4 * kM, 18 * kM}, {"bits scale=3.999999", 4 * kM, 18 * kM},
-           {"bits window=4", 4 * kM, 8800000}, {"bits scale=6 window=8", 6400000, 17600000}, {"bits level=3", 0, 2},
-           {"bits stretch=5.1", kM, 5 * kM}, {"bits stretch=.9", kM, 5 * kM}, {"bits rho=.6", -500000, 500000},
-           {"bits diffusion=isotropic rho=.441", -440000, 440000}, {"bits diffusion=isotropic rho=0:-.441@.3", -440000, 440000},
-           {"bits masks=2 rho=-.121", -120000, 450000}, {"bits masks=3 rho=.451", -120000, 450000},
-           {"bits masks=5 rho=.431", -120000, 430000}, {"bits masks=2 react=da rho=.351", -370000, 350000},
-           {"bits masks=3 react=da rho=-.431", -430000, 430000}})
+  for (const tests::Beyond& beyond :
+       std::vector<tests::Beyond>{{"bits window=9", 4, 8},
+                                  {"bits window=3", 4, 8},
+                                  {"bits masks=0", 1, 5},
+                                  {"bits masks=6", 1, 5},
+                                  {"bits scale=18.000001", 4 * kM, 18 * kM},
+                                  {"bits scale=3.999999", 4 * kM, 18 * kM},
+                                  {"bits window=4", 4 * kM, 8800000},
+                                  {"bits scale=6 window=8", 6400000, 17600000},
+                                  {"bits level=3", 0, 2},
+                                  {"bits stretch=5.1", kM, 5 * kM},
+                                  {"bits stretch=.9", kM, 5 * kM},
+                                  {"bits rho=.6", -500000, 500000},
+                                  {"bits diffusion=isotropic rho=.441", -440000, 440000},
+                                  {"bits diffusion=isotropic rho=0:-.441@.3", -440000, 440000},
+                                  {"bits masks=2 rho=-.121", -120000, 450000},
+                                  {"bits masks=3 rho=.451", -120000, 450000},
+                                  {"bits masks=5 rho=.431", -120000, 430000},
+                                  {"bits masks=2 react=da rho=.351", -370000, 350000},
+                                  {"bits masks=3 react=da rho=-.431", -430000, 430000}})
     tests::check_refused(beyond);
 }
 
 TEST_CASE("bits: begin distrusts recipes made by hand") {
   const Recipe coral = dapple::load(*dapple::find_preset("coral-bits"));
-  for (const auto& [slot, value] : std::vector<std::pair<int, int32_t>>{
-           {bits::masks, 0}, {bits::masks, 6}, {bits::react, 2}, {bits::diffusion, 2}, {bits::radius, 3}, {bits::radius, 9},
-           {bits::scale, 3000000}, {bits::scale, 4700000}, {bits::scale, 13200001}, {bits::stretch, 900000},
-           {bits::stretch, 5000001}, {bits::angles + 4, 720000001}, {bits::rho, 430001}, {bits::rho + 1, -120001},
-           {bits::rho + 2, 400001}, {bits::rho + 3, 1000001}})
+  for (const auto& [slot, value] : std::vector<std::pair<int, int32_t>>{{bits::masks, 0},
+                                                                        {bits::masks, 6},
+                                                                        {bits::react, 2},
+                                                                        {bits::diffusion, 2},
+                                                                        {bits::radius, 3},
+                                                                        {bits::radius, 9},
+                                                                        {bits::scale, 3000000},
+                                                                        {bits::scale, 4700000},
+                                                                        {bits::scale, 13200001},
+                                                                        {bits::stretch, 900000},
+                                                                        {bits::stretch, 5000001},
+                                                                        {bits::angles + 4, 720000001},
+                                                                        {bits::rho, 430001},
+                                                                        {bits::rho + 1, -120001},
+                                                                        {bits::rho + 2, 400001},
+                                                                        {bits::rho + 3, 1000001}})
     tests::check_refused(coral, slot, value);
   Recipe eighth = coral;
   eighth.stage[0].level = 3;

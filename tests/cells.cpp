@@ -31,8 +31,8 @@ Torus after(Torus t, uint32_t program, int steps) {
   return t;
 }
 
-// The program in which the new state hangs on the cell and the number of its neighbours that are on: bit n of `born` for
-// a cell that is off, of `stays` for one that is on.
+// The program in which the new state hangs on the cell and the number of its neighbours that are on: bit n of `born`
+// for a cell that is off, of `stays` for one that is on.
 uint32_t totalistic(unsigned born, unsigned stays) {
   uint32_t program = 0;
   for (unsigned index = 0; index < 32; ++index) {
@@ -49,7 +49,8 @@ Recipe recipe_of(uint32_t program, int steps) {
   return recipe;
 }
 
-Torus grown(const Recipe& recipe, dapple::Domain d, const dapple::Options& options = dapple::Options{}, uint32_t budget = UINT32_MAX) {
+Torus grown(const Recipe& recipe, dapple::Domain d, const dapple::Options& options = dapple::Options{},
+            uint32_t budget = UINT32_MAX) {
   Torus field = tests::grown(recipe, d, kSeed, options, budget);
   for (int& value : field.value) {
     if (value != 0 && value != cells::kUnit) FAIL("a cell is on or off");
@@ -95,7 +96,8 @@ TEST_CASE("cells: every kernel, any number of bands, is the definition") {
   std::mt19937 random(1);
   for (int i = 0; i < 60; ++i) {
     const uint32_t program = static_cast<uint32_t>(random());
-    const int steps = static_cast<int>(random() % 9), width = 8 + i % 12 + 64 * (i % 3), height = 8 + static_cast<int>(random() % 20);
+    const int steps = static_cast<int>(random() % 9), width = 8 + i % 12 + 64 * (i % 3),
+              height = 8 + static_cast<int>(random() % 20);
     const dapple::Domain d = dapple::torus(static_cast<uint16_t>(width), static_cast<uint16_t>(height));
     const Torus want = after(grown(recipe_of(program, 0), d), program, steps);
     CAPTURE(program);
@@ -117,10 +119,12 @@ TEST_CASE("cells: windows of the plane are the definition and parts of one anoth
   for (int i = 0; i < 40; ++i) {
     const uint32_t program = static_cast<uint32_t>(random());
     const int steps = static_cast<int>(random() % 12), around = steps + 2;
-    const int32_t x = static_cast<int32_t>(random() % 2000000000) - 1000000000, y = static_cast<int32_t>(random() % 999) - 500;
+    const int32_t x = static_cast<int32_t>(random() % 2000000000) - 1000000000,
+                  y = static_cast<int32_t>(random() % 999) - 500;
     const uint16_t width = static_cast<uint16_t>(8 + random() % 90), height = static_cast<uint16_t>(8 + random() % 30);
-    const Torus wide = grown(recipe_of(program, 0), dapple::window(x - around, y - around, static_cast<uint16_t>(width + 2 * around),
-                                                                   static_cast<uint16_t>(height + 2 * around)));
+    const Torus wide =
+        grown(recipe_of(program, 0), dapple::window(x - around, y - around, static_cast<uint16_t>(width + 2 * around),
+                                                    static_cast<uint16_t>(height + 2 * around)));
     const Torus all = after(wide, program, steps);
     const Torus want = made(width, height, [&](int cx, int cy) { return all.at(cx + around, cy + around); });
     CAPTURE(i);
@@ -136,7 +140,9 @@ TEST_CASE("cells: windows of the plane are the definition and parts of one anoth
 TEST_CASE("cells: identity, complement and the four shifts") {
   const dapple::Domain d = dapple::torus(75, 43);
   const Torus start = grown(recipe_of(0, 0), d);
-  const auto shifted = [&](int dx, int dy) { return made(75, 43, [&](int x, int y) { return start.at(x - dx, y - dy); }); };
+  const auto shifted = [&](int dx, int dy) {
+    return made(75, 43, [&](int x, int y) { return start.at(x - dx, y - dy); });
+  };
   CHECK(start.count() > 75 * 43 * 4 / 10);
   CHECK(grown(recipe_of(0, 1), d).count() == 0);
   CHECK(grown(recipe_of(0xffffffffu, 1), d).count() == 75 * 43);
@@ -149,8 +155,8 @@ TEST_CASE("cells: identity, complement and the four shifts") {
   CHECK(grown(recipe_of(0xccccccccu, 13), d) == shifted(0, -13));
 }
 
-// Sums modulo two are linear, and squaring them doubles every distance: after 2^k steps a pattern is the sum of its copies
-// at that distance.
+// Sums modulo two are linear, and squaring them doubles every distance: after 2^k steps a pattern is the sum of its
+// copies at that distance.
 TEST_CASE("cells: parity copies any pattern") {
   const uint32_t parity = totalistic(0b01010, 0b01010), with_self = totalistic(0b01010, 0b10101);
   CHECK(with_self == 0x96696996u);
@@ -159,7 +165,8 @@ TEST_CASE("cells: parity copies any pattern") {
     for (const int steps : {1, 2, 4, 8, 16, 32, 64}) {
       const uint32_t program = self ? with_self : parity;
       CHECK(grown(recipe_of(program, steps), dapple::torus(150, 90)) == made(150, 90, [&](int x, int y) {
-              const int sum = start.at(x - steps, y) + start.at(x + steps, y) + start.at(x, y - steps) + start.at(x, y + steps);
+              const int sum =
+                  start.at(x - steps, y) + start.at(x + steps, y) + start.at(x, y - steps) + start.at(x, y + steps);
               return (sum + (self ? start.at(x, y) : 0)) % 2;
             }));
       CHECK(grown_from(single(131), program, steps).count() == (self ? 5 : 4));
@@ -188,16 +195,14 @@ TEST_CASE("cells: golden states") {
     uint64_t hash;
   };
   constexpr Golden kGoldens[] = {
-      {0x1f83d9abu, UINT64_C(0xea8ca128ed5f50a1)},
-      {0x6a09e667u, UINT64_C(0x6a0e46504c26073d)},
-      {0xbb67ae85u, UINT64_C(0x55ef90ed731b5a52)},
-      {0x3c6ef372u, UINT64_C(0x398bd97ecd08cc52)},
-      {0xa54ff53au, UINT64_C(0x0488337690211e89)},
-      {0x510e527fu, UINT64_C(0x787eb0c374e76d07)},
+      {0x1f83d9abu, UINT64_C(0xea8ca128ed5f50a1)}, {0x6a09e667u, UINT64_C(0x6a0e46504c26073d)},
+      {0xbb67ae85u, UINT64_C(0x55ef90ed731b5a52)}, {0x3c6ef372u, UINT64_C(0x398bd97ecd08cc52)},
+      {0xa54ff53au, UINT64_C(0x0488337690211e89)}, {0x510e527fu, UINT64_C(0x787eb0c374e76d07)},
   };
   for (const Golden& g : kGoldens) {
     tests::Fnv fnv;
-    for (const int cell : grown(recipe_of(g.program, 40), dapple::torus(97, 61)).value) fnv.byte(static_cast<uint8_t>(cell));
+    for (const int cell : grown(recipe_of(g.program, 40), dapple::torus(97, 61)).value)
+      fnv.byte(static_cast<uint8_t>(cell));
     CAPTURE(g.program);
     CHECK(fnv.value == g.hash);
   }
@@ -206,7 +211,8 @@ TEST_CASE("cells: golden states") {
 // --- Starts ----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("cells: noise is the bits of the hash, thirty-two cells a number") {
-  for (const dapple::Domain d : {dapple::torus(104, 84), dapple::torus(77, 43, 101, -36), dapple::window(-75, 52, 84, 76)}) {
+  for (const dapple::Domain d :
+       {dapple::torus(104, 84), dapple::torus(77, 43, 101, -36), dapple::window(-75, 52, 84, 76)}) {
     const auto world = [&](int at, int size) { return d.plane ? at : (at % size + size) % size; };
     CHECK(grown(recipe_of(0, 0), d) == made(d.width, d.height, [&](int x, int y) {
             const int32_t wx = world(x + d.x, d.width), wy = world(y + d.y, d.height);

@@ -28,11 +28,13 @@ Doubled direction(const DirectionField& f, int32_t x, int32_t y) {
 }
 
 DirectionField field_of(stencil::Directions kind, uint16_t width, uint16_t height, uint16_t across, uint16_t down) {
-  return {9, 0, 0, width, height, across, down, kind, kind == stencil::scalars ? int16_t{5325} : int16_t{0}};  // bend 1.3
+  return {
+      9, 0, 0, width, height, across, down, kind, kind == stencil::scalars ? int16_t{5325} : int16_t{0}};  // bend 1.3
 }
 
-// Quadratic B-splines over 3 x 3 hashed nodes, in double but for the place within a node's cell, which has 8 bits, and the
-// weights, which have 7. size 0: the plane, where `nodes` is their distance. `steady`: the length of a blended vector.
+// Quadratic B-splines over 3 x 3 hashed nodes, in double but for the place within a node's cell, which has 8 bits, and
+// the weights, which have 7. size 0: the plane, where `nodes` is their distance. `steady`: the length of a blended
+// vector.
 struct Exact {
   double c, s, steady;
 };
@@ -55,7 +57,8 @@ Exact exact(const DirectionField& f, int64_t x, int64_t y) {
   double a = 0, b = 0;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {
-      const int32_t column = folded(px.node + i - 1, f.width, f.across), row = folded(py.node + j - 1, f.height, f.down);
+      const int32_t column = folded(px.node + i - 1, f.width, f.across),
+                    row = folded(py.node + j - 1, f.height, f.down);
       const uint32_t h = dapple::base::hash(f.seed, 96, column, row) >> 16;
       const double w = px.weight[i] * py.weight[j], turn = 2 * kPi * h / 65536;
       a += w * (f.kind == stencil::scalars ? h / 32768.0 - 1 : std::cos(turn));
@@ -80,7 +83,8 @@ int tears(const DirectionField& f, int x, int y) {
   const double steady = exact(f, x, y).steady;
   if (steady < 0.2) return 0;
   const Doubled here = direction(f, x, y);
-  return (change(here, direction(f, x + 1, y)) > steepest(f, steady)) + (change(here, direction(f, x, y + 1)) > steepest(f, steady));
+  return (change(here, direction(f, x + 1, y)) > steepest(f, steady)) +
+         (change(here, direction(f, x, y + 1)) > steepest(f, steady));
 }
 
 const DirectionField kFields[] = {
@@ -140,7 +144,8 @@ TEST_CASE("directions: go on to the plane's end") {
   for (const stencil::Directions kind : {stencil::vectors, stencil::scalars})
     for (const int distance : {16, 48, 64, 200}) {
       DirectionField f = field_of(kind, 0, 0, static_cast<uint16_t>(distance), static_cast<uint16_t>(distance));
-      for (const int32_t at : {-(1 << 30) + 100, -(1 << 29), -(1 << 27), 1 << 27, 1 << 29, (1 << 30) - 100, (1 << 23) * 48}) {
+      for (const int32_t at :
+           {-(1 << 30) + 100, -(1 << 29), -(1 << 27), 1 << 27, 1 << 29, (1 << 30) - 100, (1 << 23) * 48}) {
         f.x = at - 50;
         f.y = -at;
         int torn = 0;

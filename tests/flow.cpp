@@ -31,9 +31,17 @@ struct Plain {
     const auto nodes = [&](int size) {
       return static_cast<uint16_t>(std::max(1.0, std::floor(1.0 * size / n[flow::nodes] + 0.5)));
     };
-    REQUIRE(stencil::make_steerable({static_cast<uint8_t>(n[flow::radius]), false, n[flow::scale], n[flow::stretch], 0}, mask, sum));
-    field = {kSeed, 0, 0, static_cast<uint16_t>(width), static_cast<uint16_t>(height), nodes(width), nodes(height),
-             static_cast<uint8_t>(n[flow::field]), static_cast<int16_t>(int64_t{n[flow::bend]} * 4096 / 1000000)};
+    REQUIRE(stencil::make_steerable({static_cast<uint8_t>(n[flow::radius]), false, n[flow::scale], n[flow::stretch], 0},
+                                    mask, sum));
+    field = {kSeed,
+             0,
+             0,
+             static_cast<uint16_t>(width),
+             static_cast<uint16_t>(height),
+             nodes(width),
+             nodes(height),
+             static_cast<uint8_t>(n[flow::field]),
+             static_cast<int16_t>(int64_t{n[flow::bend]} * 4096 / 1000000)};
   }
   // 128 D: the most of the threads.
   int steered(const Torus& cells, int x, int y) const {
@@ -44,7 +52,9 @@ struct Plain {
         if (mask[m].weight[i] != 0) d[m] += mask[m].weight[i] * cells.at(x + i % side - r, y + i / side - r);
     int8_t c = 0, s = 0;
     stencil::directions(field, x, y, 1, &c, &s);
-    const auto unit = [](int q15) { return std::max(-127, std::min(127, static_cast<int>(std::floor(q15 / 256.0 + 0.5)))); };
+    const auto unit = [](int q15) {
+      return std::max(-127, std::min(127, static_cast<int>(std::floor(q15 / 256.0 + 0.5))));
+    };
     const auto q7 = [](int value) { return static_cast<int>(std::floor(value / 128.0 + 0.5)); };
     for (int t = 0; t < n[flow::threads]; ++t) {
       const uint16_t twice = static_cast<uint16_t>(2 * dapple::base::angle_of(n[flow::angles + t]));
@@ -68,8 +78,9 @@ void show_cells(const grid::Rows& rows) {
   for (int32_t x = 0; x < rows.n; ++x) grid::out16(rows, 0)[x] = grid::get_bit(row, x) ? 8000 : 0;
 }
 const grid::KernelSwap kShowCells[] = {{stencil::steer_field, show_cells}, {nullptr, nullptr}};
-const grid::KernelSwap kByTable[] = {
-    {stencil::steer_row, stencil::steer_by_table}, {stencil::steer_field, stencil::steer_field_by_table}, {nullptr, nullptr}};
+const grid::KernelSwap kByTable[] = {{stencil::steer_row, stencil::steer_by_table},
+                                     {stencil::steer_field, stencil::steer_field_by_table},
+                                     {nullptr, nullptr}};
 
 Torus library_cells(const Recipe& recipe, dapple::Domain d) { return tests::grown_cells(recipe, d, kSeed, kShowCells); }
 
@@ -87,8 +98,9 @@ void check_definition(const Recipe& recipe, dapple::Domain d) {
   CHECK(library_cells(recipe, d) == want);
   const int64_t factor = tests::floor_divide(2 * 256 * 8000 + plain.sum, 2 * plain.sum);
   CHECK(grown(recipe, d, kSeed) == plain.each(want, [&](int d128) {
-          return static_cast<int>(std::max<int64_t>(-8000, std::min<int64_t>(8000, tests::floor_divide(d128 * factor + 16384, 32768))));
-        }));
+    return static_cast<int>(
+        std::max<int64_t>(-8000, std::min<int64_t>(8000, tests::floor_divide(d128 * factor + 16384, 32768))));
+  }));
 }
 
 struct Dice : tests::Dice {
@@ -182,13 +194,15 @@ TEST_CASE("flow: a coarse grid grows like a fine one of its size, rolled too") {
       const Torus fine = library_cells(recipe, dapple::torus(70, 45, 11, -20));
       recipe.stage[0].level = static_cast<uint8_t>(level);
       const int by = 1 << level;
-      CHECK(library_cells(recipe, dapple::torus(static_cast<uint16_t>(70 * by), static_cast<uint16_t>(45 * by), 11 * by, -20 * by)) == fine);
+      CHECK(library_cells(recipe, dapple::torus(static_cast<uint16_t>(70 * by), static_cast<uint16_t>(45 * by), 11 * by,
+                                                -20 * by)) == fine);
     }
 }
 
 // --- Grown stripes follow the field ----------------------------------------------------------------------------------
 
-// Degrees between the stripes' local orientation (structure tensor, Gaussian of sigma cells) and the field's, every fourth cell.
+// Degrees between the stripes' local orientation (structure tensor, Gaussian of sigma cells) and the field's, every
+// fourth cell.
 static std::vector<double> deviations(const Recipe& recipe, int side, double sigma) {
   const Torus field = grown(recipe, dapple::torus(static_cast<uint16_t>(side), static_cast<uint16_t>(side)), kSeed);
   const Plain plain(recipe, side, side);
@@ -218,7 +232,7 @@ TEST_CASE("flow: stripes follow the field") {
   for (const char* name : {"flowing-stripes", "fingerprint"}) {
     std::vector<double> off = deviations(tests::preset_with(name, "level=0"), 256, 4);
     std::sort(off.begin(), off.end());
-    INFO(name << " median " << off[off.size() / 2] << " 90 %: " << off[off.size() * 9 / 10]);
+    INFO(std::string(name) << " median " << off[off.size() / 2] << " 90 %: " << off[off.size() * 9 / 10]);
     CHECK(off[off.size() / 2] < 4);
     CHECK(off[off.size() * 9 / 10] < 9);
     CHECK(off[off.size() * 99 / 100] < 15);
@@ -227,14 +241,27 @@ TEST_CASE("flow: stripes follow the field") {
 
 TEST_CASE("flow: numbers beyond their ranges are refused with bounds, by hand as a bad recipe") {
   constexpr int32_t kM = 1000000;
-  for (const tests::Beyond& beyond : std::vector<tests::Beyond>{
-           {"flow window=9", 4, 8}, {"flow threads=0", 1, 5}, {"flow nodes=15", 16, 1024}, {"flow bend=3.1", 0, 3 * kM},
-           {"flow scale=19", 4 * kM, 18 * kM}, {"flow window=4 scale=9", 4 * kM, 8800000}, {"flow level=3", 0, 2},
-           {"flow rho=.451", -450000, 450000}, {"flow threads=2 rho=-.121", -120000, 430000},
-           {"flow threads=3 rho=.391", -120000, 390000}})
+  for (const tests::Beyond& beyond : std::vector<tests::Beyond>{{"flow window=9", 4, 8},
+                                                                {"flow threads=0", 1, 5},
+                                                                {"flow nodes=15", 16, 1024},
+                                                                {"flow bend=3.1", 0, 3 * kM},
+                                                                {"flow scale=19", 4 * kM, 18 * kM},
+                                                                {"flow window=4 scale=9", 4 * kM, 8800000},
+                                                                {"flow level=3", 0, 2},
+                                                                {"flow rho=.451", -450000, 450000},
+                                                                {"flow threads=2 rho=-.121", -120000, 430000},
+                                                                {"flow threads=3 rho=.391", -120000, 390000}})
     tests::check_refused(beyond);
-  for (const auto& [slot, value] : std::vector<std::pair<int, int32_t>>{
-           {flow::threads, 6}, {flow::field, 2}, {flow::nodes, 15}, {flow::nodes, 1025}, {flow::bend, 3000001}, {flow::radius, 9},
-           {flow::scale, 4700000}, {flow::scale, 13200001}, {flow::stretch, 900000}, {flow::angles, -720000001}, {flow::rho, 430001}})
+  for (const auto& [slot, value] : std::vector<std::pair<int, int32_t>>{{flow::threads, 6},
+                                                                        {flow::field, 2},
+                                                                        {flow::nodes, 15},
+                                                                        {flow::nodes, 1025},
+                                                                        {flow::bend, 3000001},
+                                                                        {flow::radius, 9},
+                                                                        {flow::scale, 4700000},
+                                                                        {flow::scale, 13200001},
+                                                                        {flow::stretch, 900000},
+                                                                        {flow::angles, -720000001},
+                                                                        {flow::rho, 430001}})
     tests::check_refused(dapple::load(*dapple::find_preset("swirl-weave")), slot, value);
 }

@@ -1,6 +1,6 @@
-// Masks of binary convolution over the whole range of their numbers: limits, zero sums, symmetries, taps, the distance to
-// the exact difference of Gaussians, the peak of the transfer function, steerable masks.
-// SPDX-License-Identifier: MIT
+// Masks of binary convolution over the whole range of their numbers: limits, zero sums, symmetries, taps, the distance
+// to the exact difference of Gaussians, the peak of the transfer function, steerable masks. SPDX-License-Identifier:
+// MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -57,7 +57,8 @@ std::vector<double> exact(const MaskShape* shapes, int count) {
   return kernel;
 }
 
-// Every shape of the recipes' range: windows 4..8, nominal wavelengths .8 to 2.2 windows, stretch, angle; isotropic once.
+// Every shape of the recipes' range: windows 4..8, nominal wavelengths .8 to 2.2 windows, stretch, angle; isotropic
+// once.
 void each_shape(int wavelengths, int angles, const std::function<void(const MaskShape&)>& act) {
   for (uint8_t radius = 4; radius <= 8; ++radius)
     for (int w = 0; w <= wavelengths; ++w) {
@@ -81,7 +82,7 @@ bool within_limits(const Mask& m, int limit) {
   return sum == 0 && positive == m.sum && m.sum <= 127;
 }
 
-// sign_x of the mirror image x -> -x, sign_swap of x <-> y: +1 or -1, 0 where there is no such symmetry.
+// mirrored: the sign under x -> -x, swapped: under x <-> y; 0 where there is no such symmetry.
 bool symmetric(const Mask& m, int mirrored, int swapped) {
   bool good = true;
   for (int y = -m.radius; y <= m.radius; ++y)
@@ -165,8 +166,8 @@ TEST_CASE("mask: one shape, whole range") {
   CHECK(wrong == 0);
   CHECK(running > made / 3);  // vertical differences pay for the steeper ones
   CHECK(running < made);
-  CHECK(worst < 0.75);  // half a unit of rounding, or more where a weight was moved to make the sum zero
-  CHECK(centre[0] < 2);   // the odd unit
+  CHECK(worst < 0.75);      // half a unit of rounding, or more where a weight was moved to make the sum zero
+  CHECK(centre[0] < 2);     // the odd unit
   CHECK(centre[1] <= 3.5);  // what no orbit of four cells takes
 }
 
@@ -176,8 +177,9 @@ TEST_CASE("mask: the sum of two shapes, whole range") {
   each_shape(7, 4, [&](const MaskShape& shape) {
     Mask m;
     for (const int between : {0, 3000, 8192, 16384, 29000}) {
-      const MaskShape both[2] = {shape, {shape.radius, shape.isotropic, shape.wavelength, shape.stretch,
-                                        static_cast<uint16_t>(shape.angle + between)}};
+      const MaskShape both[2] = {shape,
+                                 {shape.radius, shape.isotropic, shape.wavelength, shape.stretch,
+                                  static_cast<uint16_t>(shape.angle + between)}};
       REQUIRE(stencil::make_mask(both, 2, m));
       const int sign = shape.isotropic ? 1 : 0;
       bool runs = false;
@@ -193,8 +195,8 @@ TEST_CASE("mask: the sum of two shapes, whole range") {
   CHECK(centre[1] <= 3.5);
 }
 
-// Exact arithmetic, rounded by the library with the largest factor for which it can, gives the same mask: not always, as
-// ties and limits are decided by the last bit of the integer kernel.
+// Exact arithmetic, rounded by the library with the largest factor for which it can, gives the same mask: not always,
+// as ties and limits are decided by the last bit of the integer kernel.
 TEST_CASE("mask: the largest factor that keeps the limits") {
   int made = 0, same = 0;
   each_shape(9, 5, [&](const MaskShape& shape) {
@@ -287,7 +289,8 @@ TEST_CASE("mask: steerable, whole range: limits and symmetries") {
         CHECK(symmetric(m[3], 1, 1));
         CHECK(symmetric(m[4], -1, -1));
         int positive = 0;
-        for (int i = 0; i < cells_of(m[0]); ++i) positive += std::max(0, m[0].weight[i] + m[1].weight[i] + m[3].weight[i]);
+        for (int i = 0; i < cells_of(m[0]); ++i)
+          positive += std::max(0, m[0].weight[i] + m[1].weight[i] + m[3].weight[i]);
         CHECK(sum == positive);
       }
 }
@@ -307,8 +310,8 @@ static std::vector<double> projected(MaskShape shape, double theta) {
   return sum;
 }
 
-// The weights mixed for an angle against what they stand for. Small integers leave a correlation of .95, at worst .87; the
-// mixture is most like the mask at its own angle.
+// The weights mixed for an angle against what they stand for. Small integers leave a correlation of .95, at worst .87;
+// the mixture is most like the mask at its own angle.
 TEST_CASE("mask: steerable masks make the mask of any angle") {
   double worst = 1, mean = 0;
   int count = 0;

@@ -45,8 +45,8 @@ inline Torus grown(const dapple::Recipe& recipe, dapple::Domain d, uint32_t seed
   return made(d.width, d.height, [&](int x, int y) { return field[static_cast<size_t>(y * d.width + x)]; });
 }
 
-// Its cells, on their own grid. `kernels` make the field show 8000 for a cell that is on and 0 otherwise; enlarged, that
-// keeps a cell's side of 4000 in the cell's middle. Domains begin at a whole cell.
+// Its cells, on their own grid. `kernels` make the field show 8000 for a cell that is on and 0 otherwise; enlarged,
+// that keeps a cell's side of 4000 in the cell's middle. Domains begin at a whole cell.
 inline Torus grown_cells(const dapple::Recipe& recipe, dapple::Domain d, uint32_t seed,
                          const dapple::grid::KernelSwap* kernels) {
   dapple::Options options;
@@ -66,7 +66,9 @@ struct Dice {
   dapple::Domain torus(const dapple::Recipe& recipe, int32_t scale, int wider, int higher) {
     const int level = recipe.stage[0].level, least = std::max(8, scale / 500000 + 1);
     const int pitch = recipe.start.kind == dapple::Start::seeds ? recipe.start.pitch / 660000 >> level : 0;
-    const auto side = [&](int more) { return static_cast<uint16_t>((std::max(least, pitch + 1) + roll(0, more)) << level); };
+    const auto side = [&](int more) {
+      return static_cast<uint16_t>((std::max(least, pitch + 1) + roll(0, more)) << level);
+    };
     const uint16_t width = side(wider);
     return dapple::torus(width, side(higher));
   }
@@ -90,7 +92,7 @@ struct Beyond {
 inline void check_refused(const Beyond& beyond) {
   dapple::Recipe recipe{};
   dapple::Trouble trouble{};
-  INFO(beyond.text);
+  INFO(std::string(beyond.text));
   CHECK(dapple::parse(beyond.text, recipe, trouble) == dapple::out_of_range);
   CHECK(trouble.low == beyond.low);
   CHECK(trouble.high == beyond.high);

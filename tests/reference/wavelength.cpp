@@ -35,7 +35,8 @@ Spectrum measured(const Recipe& recipe, int side, uint32_t seed) {
   const auto wrapped = [&](int k) { return k < side / 2 ? k : k - side; };
   std::vector<double> ring(static_cast<size_t>(side) + 2);
   for (int i = 0; i < side * side; ++i)
-    ring[static_cast<size_t>(std::lround(std::hypot(wrapped(i % side), wrapped(i / side))))] += std::norm(wave[static_cast<size_t>(i)]);
+    ring[static_cast<size_t>(std::lround(std::hypot(wrapped(i % side), wrapped(i / side))))] +=
+        std::norm(wave[static_cast<size_t>(i)]);
   size_t peak = 2;
   const auto smooth = [&](size_t k) { return ring[k - 1] + 2 * ring[k] + ring[k + 1]; };
   for (size_t k = 3; k < static_cast<size_t>(side / 2); ++k)
@@ -43,7 +44,8 @@ Spectrum measured(const Recipe& recipe, int side, uint32_t seed) {
   double power = 0, number = 0;
   std::complex<double> turn = 0;
   for (int i = 0; i < side * side; ++i) {
-    const double x = wrapped(i % side), y = wrapped(i / side), k = std::hypot(x, y), p = std::norm(wave[static_cast<size_t>(i)]);
+    const double x = wrapped(i % side), y = wrapped(i / side), k = std::hypot(x, y),
+                 p = std::norm(wave[static_cast<size_t>(i)]);
     if (k < 0.5 * static_cast<double>(peak) || k > 1.6 * static_cast<double>(peak)) continue;
     power += p;
     number += p * k;
@@ -77,7 +79,7 @@ static Recipe tuned(const char* preset, const std::string& changes, double wavel
   char text[32];
   std::snprintf(text, sizeof text, " wavelength=%.6f", wavelength);
   const Recipe recipe = tests::preset_with(preset, (changes + text).c_str());
-  INFO(preset << " " << changes << text);
+  INFO(std::string(preset) << " " << changes << text);
   REQUIRE(recipe.stages == 1);
   return recipe;
 }
@@ -110,7 +112,7 @@ TEST_CASE("wavelength: what is asked for is what grows, for every window") {
   for (const char* preset : {"zebra-bits", "sand-bits", "labyrinth-bits"})
     for (int window = 4; window <= 8; ++window) {
       const Worst worst = worst_of(preset, window, 13);
-      INFO(preset << " window " << window);
+      INFO(std::string(preset) << " window " << window);
       CHECK(worst.share <= 0.04);
       if (preset[0] == 'l') continue;  // a labyrinth has no direction
       CHECK(worst.degrees <= 2);
@@ -124,13 +126,13 @@ TEST_CASE("wavelength: in pixels on the coarser grids") {
       const std::string changes = "level=" + std::to_string(level);
       const double wanted = 8.5 * (1 << level);
       const Spectrum s = mean_of(tuned(preset, changes, wanted), 256 << level, 0);
-      INFO(preset << " level " << level << ": " << s.wavelength << " of " << wanted);
+      INFO(std::string(preset) << " level " << level << ": " << s.wavelength << " of " << wanted);
       CHECK(std::fabs(s.wavelength / wanted - 1) <= 0.04);
     }
 }
 
-// Along fields of directions the five small masks add up to the mask of an angle only roughly: within 9 % for the windows
-// of 6 cells and more, measured where the direction does not bend.
+// Along fields of directions the five small masks add up to the mask of an angle only roughly: within 9 % for the
+// windows of 6 cells and more, measured where the direction does not bend.
 TEST_CASE("wavelength: of steered masks, roughly") {
   for (int window = 6; window <= 8; ++window)
     for (const int angle : {0, 25, 60}) {
@@ -148,24 +150,25 @@ TEST_CASE("wavelength: of steered masks, roughly") {
     }
 }
 
-// The wavelengths, pixels, of the float prototypes that the presets were tuned after (weights of masks rounded otherwise,
-// scores of seeds other than here: maze, giraffe).
+// The wavelengths, pixels, of the float prototypes that the presets were tuned after (weights of masks rounded
+// otherwise, scores of seeds other than here: maze, giraffe).
 TEST_CASE("wavelength: presets against their prototypes") {
   struct Prototype {
     const char* name;
     double pixels, share;
   };
   const Prototype prototypes[] = {
-      {"zebra-bits", 17.3, .06},    {"sand-bits", 14.7, .06},        {"weave-bits", 14.5, .06},      {"maze-bits", 14.3, .13},
-      {"triweave-bits", 17.2, .06}, {"twisty-maze-bits", 17.0, .06}, {"coral-bits", 16.0, .06},      {"labyrinth-bits", 17.6, .06},
-      {"spots-bits", 17.3, .06},    {"holes-bits", 18.0, .06},       {"fingerprint", 16.0, .06},     {"swirl-weave", 14.3, .06},
-      {"crossing-hair", 17.0, .06}, {"flowing-stripes", 15.7, .08},  {"swirl-triweave", 16.7, .06},  {"reptile-bits", 21.0, .06},
-      {"giraffe-bits", 23.0, .11},  {"brain", 31.0, .06},
+      {"zebra-bits", 17.3, .06},    {"sand-bits", 14.7, .06},       {"weave-bits", 14.5, .06},
+      {"maze-bits", 14.3, .13},     {"triweave-bits", 17.2, .06},   {"twisty-maze-bits", 17.0, .06},
+      {"coral-bits", 16.0, .06},    {"labyrinth-bits", 17.6, .06},  {"spots-bits", 17.3, .06},
+      {"holes-bits", 18.0, .06},    {"fingerprint", 16.0, .06},     {"swirl-weave", 14.3, .06},
+      {"crossing-hair", 17.0, .06}, {"flowing-stripes", 15.7, .08}, {"swirl-triweave", 16.7, .06},
+      {"reptile-bits", 21.0, .06},  {"giraffe-bits", 23.0, .11},    {"brain", 31.0, .06},
   };
   for (const Prototype& p : prototypes) {
     const double pixels = mean_of(dapple::load(*dapple::find_preset(p.name)), 512, 0).wavelength;
     std::printf("%-17s %5.2f px  %5.1f  %+5.1f %%\n", p.name, pixels, p.pixels, 100 * (pixels / p.pixels - 1));
-    INFO(p.name);
+    INFO(std::string(p.name));
     CHECK(std::fabs(pixels / p.pixels - 1) <= p.share);
   }
 }

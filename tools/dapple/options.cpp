@@ -124,7 +124,8 @@ constexpr const char* kViews = "colour|field|cells|height|normal";
 
 void read_any_size(Options& o, const std::string& value) {
   const std::string pair = value.find('x') == std::string::npos ? value + "x" + value : value;
-  if (!read_pair(pair, 1, o.width, o.height)) refuse_value("--size", value, "N or WxH, each side from 8 (of complete 1) to 65535");
+  if (!read_pair(pair, 1, o.width, o.height))
+    refuse_value("--size", value, "N or WxH, each side from 8 (of complete 1) to 65535");
 }
 
 void read_start_file(Options& o, const std::string& value) {
@@ -137,7 +138,8 @@ const Option kOptions[] = {
     {"--size", "N|WxH", in_rule, "cells; sides from 8 (of complete 1) to 65535", read_any_size},
     {"--start", "FILE", in_rule, "begin with the pattern of an RLE file, in the middle of a torus, and not with noise",
      read_start_file},
-    {"--rle", nullptr, in_rule, "write the state as RLE, as -o FILE.rle does", [](Options& o, const std::string&) { o.rle = true; }},
+    {"--rle", nullptr, in_rule, "write the state as RLE, as -o FILE.rle does",
+     [](Options& o, const std::string&) { o.rle = true; }},
     {"--text", nullptr, in_rule, "write the state as text, to standard output if there is no -o",
      [](Options& o, const std::string&) { o.text = true; }},
     {"--map", nullptr, in_rule, "print the program as Golly's MAP, and grow nothing",

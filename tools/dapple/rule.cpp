@@ -55,7 +55,7 @@ void check_uses(const Options& o, Verb verb) {
   if (o.at && !o.start.empty()) refuse("--at does not go with --start: a given state is on a torus");
 }
 
-constexpr uint64_t kMostCells = UINT64_C(1) << 24;  // of complete, which keeps some thirty bytes for each
+constexpr uint64_t kMostCells = UINT64_C(1) << 24;  // of complete, which keeps up to eighty bytes for each
 
 // Sides that were not given are those of the verb.
 void set_size(Options& options, Verb verb) {
