@@ -116,24 +116,27 @@ void Texture::paint(uint16_t y, Pixels format, void* out) {
   paint(y, brush, out);
 }
 
-void Texture::paint(uint16_t y, const Brush& brush, void* out) {
-  if (frugal_ && run_.phase != evolve::Phase::done) return;
+// The colours of a row whose field is at hand.
+DAPPLE_APART void Texture::colour(const Brush& brush, const paint::Source& source, uint8_t* out) {
   const Paint paint = paint_ != nullptr ? *paint_ : rom_ ? base::rom_load(&recipe_->paint) : recipe_->paint;
   paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
+  if (frugal_) shader.slope = 0;
+  paint::paint_row(shader, brush, source, out);
+}
+
+void Texture::paint(uint16_t y, const Brush& brush, void* out) {
+  if (frugal_ && run_.phase != evolve::Phase::done) return;
   paint::Source source;
   source.width = domain_.width;
   source.y = y;
   source.world_x = domain_.plane ? domain_.x : 0;
   source.world_y = domain_.plane ? domain_.y + y : y;
-  source.here = field_row(y, y);
-  if (frugal_) {
-    source.above = source.below = source.here;
-    shader.slope = 0;
-  } else {
+  source.here = source.above = source.below = field_row(y, y);
+  if (!frugal_) {
     source.above = field_row(y - 1, y);
     source.below = field_row(y + 1, y);
   }
-  paint::paint_row(shader, brush, source, static_cast<uint8_t*>(out));
+  colour(brush, source, static_cast<uint8_t*>(out));
 }
 
 }  // namespace dapple

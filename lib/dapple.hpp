@@ -282,6 +282,7 @@ class Texture {
                size_t bytes, const Options& options, Need* need);
   void ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
+  void colour(const Brush& brush, const paint::Source& source, uint8_t* out);
   int16_t* field_row(int32_t y, int32_t centre);
 
   evolve::Run run_;

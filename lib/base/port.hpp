@@ -34,6 +34,13 @@
 // Row kernels promise that their rows do not overlap.
 #define DAPPLE_RESTRICT __restrict
 
+// Keeps a function's locals out of its caller's frame, where a deep call follows: the stack of firmware is short.
+#if defined(__GNUC__)
+#define DAPPLE_APART __attribute__((noinline))
+#else
+#define DAPPLE_APART
+#endif
+
 namespace dapple::base {
 
 // rom_load(p) == *p for an object that was defined DAPPLE_ROM.
@@ -74,6 +81,9 @@ using Word = uint64_t;
 #else
 using Word = uint32_t;
 #endif
+
+// Where the stack is a few hundred bytes, larger work space comes from the caller's memory.
+constexpr bool kSmallStack = sizeof(Word) == 1;
 
 // load_word(p): bytes in memory order, the first the least significant; p of any alignment. store_word: the reverse.
 template <class W> inline W load_word(const uint8_t* from) {

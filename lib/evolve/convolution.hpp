@@ -42,7 +42,8 @@ constexpr Reach convolution_reach(const int32_t* number, bool kept) {
   const uint8_t r = static_cast<uint8_t>(number[bits::radius]);
   const uint8_t masks = summed(number) ? static_cast<uint8_t>(1) : static_cast<uint8_t>(number[bits::masks]);
   const uint16_t table = static_cast<uint16_t>((stencil::mask_set_bytes(masks, kept) + 3) / 4);
-  return {1, r, r, 0, 0, 0, 1, r, table, r, r, kept ? stencil::kept_bytes(r, masks) : static_cast<uint8_t>(0)};
+  return {1, r, r, 0, 0, 0, 1, r, table, r, r, kept ? stencil::kept_bytes(r, masks) : static_cast<uint8_t>(0),
+          stencil::copies_space(r)};
 }
 constexpr Reach sliced_reach(const Model&, const int32_t* number, uint8_t) { return convolution_reach(number, true); }
 constexpr Reach lean_reach(const Model&, const int32_t* number, uint8_t) { return convolution_reach(number, false); }

@@ -11,6 +11,7 @@ constexpr uint32_t kNoRow = UINT32_MAX;
 struct Work {
   uint8_t* window;       // rows with halo that the kernel reads, on a torus
   size_t window_row;
+  uint8_t* space;        // of the kernel
   uint32_t* held;        // the numbers of the coarse rows
   int16_t* coarse;       // their cells, halo included
   size_t coarse_row;     // int16
@@ -24,7 +25,8 @@ static Work work_of(const Run& run, uint8_t* work) {
   w.radius = run.field_radius;
   w.window_row = grid::scratch_bytes(run.field.cell, run.field.width, w.radius);
   w.window = work;
-  w.held = reinterpret_cast<uint32_t*>(work + window_bytes(run.field.cell, run.field.width, w.radius));
+  w.space = work + window_bytes(run.field.cell, run.field.width, w.radius);
+  w.held = reinterpret_cast<uint32_t*>(w.space + grid::align4(run.field_space));
   w.coarse = reinterpret_cast<int16_t*>(w.held + kCoarseRows);
   w.coarse_row = grid::scratch_bytes(grid::Cell::int16, run.field.width, 2) / 2;
   w.middle = w.coarse + kCoarseRows * w.coarse_row;
@@ -57,7 +59,7 @@ static uint16_t offset_x(const Run& run) { return static_cast<uint16_t>(run.doma
 static uint16_t offset_y(const Run& run) { return static_cast<uint16_t>(run.domain.plane ? run.domain.y - run.ground.y : 0); }
 
 // Without neighbours: cell by cell. While a stage refines, from the bottom up, the rows above still stand on the coarser grid.
-static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
+DAPPLE_APART static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
   const uint16_t world = static_cast<uint16_t>(y + offset_y(run)), shift = offset_x(run);
   uint8_t level = run.stage.level;
   if (run.phase == Phase::refining && at_level(world, level) < 2 * static_cast<int32_t>(run.at_row)) ++level;
@@ -79,11 +81,11 @@ static void plain_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work) {
 }
 
 // The field of the grid's row y: `count` cells from x on, which on the plane is a multiple of 32 and on a torus 0.
-static void make_row(const Run& run, const Work& w, int32_t y, uint16_t x, uint16_t count, int16_t* out) {
+DAPPLE_APART static void make_row(const Run& run, const Work& w, int32_t y, uint16_t x, uint16_t count, int16_t* out) {
   int32_t values[kMaxValues] = {};
   grid::Rows rows = rows_of(run, values);
   const uint16_t height = run.field.height;
-  rows.scratch = nullptr;
+  rows.scratch = w.space;
   rows.x = x;
   rows.n = count;
   rows.y = static_cast<uint16_t>(y);
@@ -114,7 +116,7 @@ static int16_t* make_coarse(const Run& run, const Work& w, int32_t y, uint16_t f
 }
 
 // The slot for a row that is not there: a free one, or that of the row furthest from y, but never `kept`'s.
-static uint8_t free_slot(const Work& w, int32_t y, int32_t kept) {
+DAPPLE_APART static uint8_t free_slot(const Work& w, int32_t y, int32_t kept) {
   uint8_t best = 0;
   int64_t furthest = -1;
   for (uint8_t i = 0; i < kCoarseRows; ++i) {
@@ -129,7 +131,7 @@ static uint8_t free_slot(const Work& w, int32_t y, int32_t kept) {
 }
 
 // Row y of the coarse field, any y on a torus; made once while it is among the last ones asked for. Row `kept` stays.
-static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y, int32_t kept) {
+DAPPLE_APART static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y, int32_t kept) {
   const uint8_t level = run.stage.level;
   const uint16_t height = run.field.height;
   if (!run.domain.plane) {
@@ -150,7 +152,7 @@ static const int16_t* coarse_row(const Run& run, const Work& w, int32_t y, int32
 
 // Twofold: cell X of the finer grid is 3/4 of the cell it lies in and 1/4 of the one beside it, in either direction.
 // The first of `count` cells is the half `odd` of cell 0. Values within +-8000: every sum fits int16.
-static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uint8_t odd, uint16_t count) {
+DAPPLE_APART static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uint8_t odd, uint16_t count) {
   const auto mixed = [&](int32_t x) { return static_cast<int16_t>((3 * near[x] + other[x] + 2) >> 2); };
   int32_t x = 0;
   int16_t before = mixed(-1), here = mixed(0), after = mixed(1);
@@ -169,7 +171,7 @@ static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uin
 static int32_t beside(uint32_t y) { return (y & 1) != 0 ? 1 : -1; }
 
 // Two middle rows of a fourfold enlargement: the one row `y` (finest grid) lies in, and the one beside it.
-static void fourfold(const Run& run, const Work& w, uint16_t y, int16_t* out) {
+DAPPLE_APART static void fourfold(const Run& run, const Work& w, uint16_t y, int16_t* out) {
   const uint16_t shift = offset_x(run);
   const uint16_t first = static_cast<uint16_t>(shift >> 1), last = static_cast<uint16_t>((shift + run.domain.width - 1) >> 1);
   const int32_t rows[2] = {y >> 1, (y >> 1) + beside(y)};

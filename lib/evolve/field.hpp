@@ -19,7 +19,7 @@ constexpr size_t field_bytes(const Model& model, const Reach& reach, const Groun
   const size_t own = model.work_rows * grid::row_bytes(grid::Cell::int16, ground.width);
   if (reach.field_radius == 0) return own;
   const uint16_t coarse = at_level(ground.width, level);
-  const size_t window = window_bytes(model.cell, coarse, reach.field_radius);
+  const size_t window = window_bytes(model.cell, coarse, reach.field_radius) + grid::align4(reach.space);
   if (level == 0 && !plane) return window;
   return window + kCoarseRows * (sizeof(uint32_t) + grid::scratch_bytes(grid::Cell::int16, coarse, 2)) +
          (level > 1 ? 2 : 0) * grid::row_bytes(grid::Cell::int16, static_cast<uint16_t>(width / 2 + 4));

@@ -33,7 +33,7 @@ static Context context_of(const Run& run) {
 }
 
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.
-static void open_stage(Run& run) {
+DAPPLE_APART static void open_stage(Run& run) {
   run.stage = load_stage(run.plan, run.index);
   run.model = rom_load(run.stage.model);
   run.solver = rom_load(run.stage.solver);
@@ -41,7 +41,12 @@ static void open_stage(Run& run) {
   run.cursor.sweep = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
-  run.field_radius = run.solver.field == nullptr ? 0 : run.solver.reach(run.model, run.stage.number, run.stage.level).field_radius;
+  run.field_radius = 0;
+  if (run.solver.field != nullptr) {
+    const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+    run.field_radius = reach.field_radius;
+    run.field_space = reach.space;
+  }
   set_clock(run);
   if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
   switch (run.stage.entry) {
@@ -83,7 +88,7 @@ void begin(Run& run, const Setup& setup) {
   open_stage(run);
 }
 
-static void start_one_row(Run& run) {
+DAPPLE_APART static void start_one_row(Run& run) {
   const Start start = load_start(run.plan);
   const uint8_t level = run.stage.level;
   const start::Place place = {run.field.cell,      run.field.width,     run.field.height, level,
@@ -97,7 +102,7 @@ static void start_one_row(Run& run) {
   if (++run.at_plane == planes) run.phase = Phase::sweeping;
 }
 
-static void refine_one_row(Run& run) {
+DAPPLE_APART static void refine_one_row(Run& run) {
   --run.at_row;
   const uint8_t planes = run.model.planes(run.stage.number);
   for (uint8_t plane = 0; plane < planes; ++plane) run.stage.refine(run.field, plane, run.at_row);
@@ -116,7 +121,7 @@ static void set_margin(Run& run, bool first) {
 }
 
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.
-static void open_sweep(Run& run) {
+DAPPLE_APART static void open_sweep(Run& run) {
   if (run.step == run.stage.steps) {
     if (++run.index == run.plan.stages)
       run.phase = Phase::done;

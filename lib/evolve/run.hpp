@@ -69,6 +69,7 @@ struct Run {
   uint8_t index;    // of the stage
   uint8_t at_band, at_plane;
   uint8_t field_radius;  // of the solver's field kernel; 0: the model's own
+  uint16_t field_space;  // bytes of its work space
   uint16_t at_row;
 };
 

@@ -56,6 +56,7 @@ struct Reach {
   uint16_t spread;         // how far, in cells of this grid, one step carries what a cell holds
   uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
   uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
+  uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
 };
 
 struct Solver {

@@ -54,7 +54,7 @@ constexpr bool band_bytes(const Reach& reach, grid::Cell cell, uint16_t width, u
       base::add_bytes(total, reach.halo_rows, grid::scratch_bytes(grid::Cell::int16, width, reach.halo)) &&
       base::add_bytes(total, reach.rows16, grid::row_bytes(grid::Cell::int16, width)) &&
       base::add_bytes(total, reach.rows32, grid::row_bytes(grid::Cell::int32, width)) &&
-      base::add_bytes(total, reach.bytes, static_cast<size_t>(width) + (reach.bytes > 0 ? 64 : 0));
+      base::add_bytes(total, reach.bytes, static_cast<size_t>(width) + (reach.bytes > 0 ? 64 : 0)) && base::add_bytes(total, reach.space, 1);
   total = grid::align4(total);
   return fits;
 }

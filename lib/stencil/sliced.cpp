@@ -103,7 +103,8 @@ void convolve_row64(const grid::Rows& rows) { convolve_kept<uint64_t>(rows); }
 // The result of one word of the row: most[] for the field, the cells for a step.
 template <bool rom, class W> static W one_word(const grid::Rows& rows, const Job<W>& job, size_t at, W* most) {
   const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
-  W copies[kLargestSide * kLargestSide], least[kSumBits] = {}, cells = 0;
+  W local[kLocalCopies], least[kSumBits] = {}, cells = 0;
+  W* const copies = base::kSmallStack ? reinterpret_cast<W*>(rows.scratch) : local;
   for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
   for (uint8_t j = 0; j < job.count; ++j) {
     W sum[kSumBits];

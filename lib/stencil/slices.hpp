@@ -174,6 +174,12 @@ template <class W> inline W* keep_sum(const grid::Rows& rows, const MaskSet& set
   return sum;
 }
 
+// Bytes of work space for the shifted copies of one word, where the stack is too small for them.
+constexpr uint16_t copies_space(uint8_t radius) {
+  return base::kSmallStack ? static_cast<uint16_t>((2 * radius + 1) * (2 * radius + 1) * sizeof(base::Word)) : static_cast<uint16_t>(0);
+}
+constexpr uint16_t kLocalCopies = base::kSmallStack ? 1 : kCells;
+
 // Turns an 8 x 8 matrix of bits: bit i of byte k becomes bit k of byte i [Warren, Hacker's Delight 7-3].
 inline uint64_t turned(uint64_t x) {
   uint64_t t = (x ^ (x >> 7)) & UINT64_C(0x00aa00aa00aa00aa);

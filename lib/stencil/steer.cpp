@@ -114,7 +114,8 @@ void steer_field(const grid::Rows& rows) {
   const uint8_t side = static_cast<uint8_t>(2 * set.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W)) {
     Sums sums = {};
-    W copies[kLargestSide * kLargestSide], sum[kSumBits];
+    W local[kLocalCopies], sum[kSumBits];
+    W* const copies = base::kSmallStack ? reinterpret_cast<W*>(rows.scratch) : local;
     for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
     for (uint8_t m = 0; m < kSteerable; ++m) {
       set_number(static_cast<int16_t>(-1), sum);
