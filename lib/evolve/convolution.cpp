@@ -33,13 +33,7 @@ void prepare_stored(const Context& context) { *reinterpret_cast<const void**>(co
 
 static bool next(const Context& context, Cursor& cursor, grid::RowKernel row, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;
-  sweep.first = 0;
-  sweep.count = 1;
-  sweep.radius = static_cast<uint8_t>(context.number[bits::radius]);
-  sweep.stride = 1;
-  sweep.halo = sweep.radius;
-  sweep.row = grid::choose(context.kernels, row);
-  context.model->values(context.number, context.clock, sweep.p);
+  window_sweep(context, static_cast<uint8_t>(context.number[bits::radius]), row, sweep);
   return true;
 }
 

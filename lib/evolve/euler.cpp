@@ -73,13 +73,7 @@ bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep) {
 
 bool direct_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;
-  sweep.first = 0;
-  sweep.count = context.model->planes(context.number);
-  sweep.radius = context.model->radius;
-  sweep.stride = 1;
-  sweep.halo = context.model->radius;
-  sweep.row = grid::choose(context.kernels, context.model->window);
-  context.model->values(context.number, context.clock, sweep.p);
+  window_sweep(context, context.model->radius, context.model->window, sweep);
   return true;
 }
 

@@ -70,6 +70,17 @@ struct Solver {
   grid::RowKernel field = nullptr;
 };
 
+// A sweep of one kernel that does the whole step on windows of rows.
+inline void window_sweep(const Context& context, uint8_t radius, grid::RowKernel row, Sweep& sweep) {
+  sweep.first = 0;
+  sweep.count = context.model->planes(context.number);
+  sweep.radius = radius;
+  sweep.stride = 1;
+  sweep.halo = radius;
+  sweep.row = grid::choose(context.kernels, row);
+  context.model->values(context.number, context.clock, sweep.p);
+}
+
 constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
 
 // --- gaussian: impulse splitting, eq. (12). One reaction, then the Gaussian of a whole macro step on every plane. ---

@@ -47,13 +47,7 @@ int32_t steered_wavelength(const int32_t* number) {
 
 bool steered_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;
-  sweep.first = 0;
-  sweep.count = 1;
-  sweep.radius = static_cast<uint8_t>(context.number[flow::radius]);
-  sweep.stride = 1;
-  sweep.halo = sweep.radius;
-  sweep.row = grid::choose(context.kernels, stencil::steer_row);
-  context.model->values(context.number, context.clock, sweep.p);
+  window_sweep(context, static_cast<uint8_t>(context.number[flow::radius]), stencil::steer_row, sweep);
   return true;
 }
 
