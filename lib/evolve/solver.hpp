@@ -27,7 +27,6 @@ struct Cursor {
   uint8_t plane, direction;   // gaussian: what comes next
   stencil::PassSeries series;
   stencil::Lattice lattice;
-  int32_t p[kMaxValues];      // the model's values for this step
 };
 
 // What a solver is asked about: a model with its numbers on a grid coarser by 2^level.
