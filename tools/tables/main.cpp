@@ -51,7 +51,10 @@ std::string table(bool timed) {
     const dapple::PresetEntry entry = dapple::preset_at(i, name);
     const dapple::Recipe recipe = dapple::load(*entry.preset);
     const uint16_t side = smallest_side(recipe);
-    if (timed) std::snprintf(time, sizeof time, "%.1f ms", milliseconds(recipe));
+    if (timed) {
+      const double ms = milliseconds(recipe);
+      std::snprintf(time, sizeof time, ms < 1 ? "%.2f ms" : "%.1f ms", ms);
+    }
     out << "| " << entry.name << " | " << entry.sentence << " | " << side << " | "
         << dapple::bytes_for(recipe, dapple::torus(side, side)) << " | "
         << dapple::bytes_for(recipe, dapple::torus(256, 256)) << " | " << time << " |\n";
