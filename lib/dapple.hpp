@@ -158,7 +158,8 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
   return 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1) + most;
 }
 
-constexpr size_t kSlack = 3;  // to align the memory to four bytes
+// To align the memory to four bytes, and because kernels on one-bit cells read, and ignore, up to two words beyond a row.
+constexpr size_t kSlack = 3 + 2 * sizeof(base::Word);
 
 constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, evolve::Parts& parts) {
   Need need{};

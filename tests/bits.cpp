@@ -1,5 +1,6 @@
 // Binary convolution against its definition: plain sums over the weights of whole tori, double-buffered; kernels,
-// bands, budgets and windows that must not change a bit; starts; what is refused. SPDX-License-Identifier: MIT
+// bands, budgets and windows that must not change a bit; starts; what is refused.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -62,7 +63,7 @@ int threshold_at(const int32_t* n, uint32_t step, uint32_t steps, int sum) {
   const int64_t one = 1000000, at = one * step, begin = int64_t{s[2]} * steps, end = int64_t{s[3]} * steps;
   int64_t rho = at < begin ? s[0] : s[1];
   if (at >= begin && at < end)
-    rho = s[0] + floor_divide(2 * (s[1] - s[0]) * (at - begin) + (end - begin), 2 * (end - begin));
+    rho = s[0] + floor_divide(int64_t{2} * (s[1] - s[0]) * (at - begin) + (end - begin), 2 * (end - begin));
   return static_cast<int>(floor_divide(2 * rho * sum + one, 2 * one));
 }
 

@@ -1,6 +1,6 @@
 // Masks of binary convolution over the whole range of their numbers: limits, zero sums, symmetries, taps, the distance
-// to the exact difference of Gaussians, the peak of the transfer function, steerable masks. SPDX-License-Identifier:
-// MIT
+// to the exact difference of Gaussians, the peak of the transfer function, steerable masks.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ int side_of(const Mask& m) { return 2 * m.radius + 1; }
 int cells_of(const Mask& m) { return side_of(m) * side_of(m); }
 int at(const Mask& m, int x, int y) { return m.weight[(y + m.radius) * side_of(m) + x + m.radius]; }
 
-// K of a shape, or the mean of two, in double, the largest |K| made 1.
-std::vector<double> exact(const MaskShape* shapes, int count) {
+// K of a shape, or the sum of two, in double.
+std::vector<double> kernel_of(const MaskShape* shapes, int count) {
   const int r = shapes[0].radius, side = 2 * r + 1;
   const double d = 1.5;
   std::vector<double> kernel(static_cast<size_t>(side * side));
@@ -51,14 +51,19 @@ std::vector<double> exact(const MaskShape* shapes, int count) {
       for (size_t k = 0; k < value.size(); ++k) kernel[k] += (wide ? -1 : 1) * value[k] / total;
     }
   }
+  return kernel;
+}
+
+// The same, the largest |K| made 1.
+std::vector<double> exact(const MaskShape* shapes, int count) {
+  std::vector<double> kernel = kernel_of(shapes, count);
   double peak = 0;
   for (const double k : kernel) peak = std::max(peak, std::fabs(k));
   for (double& k : kernel) k /= peak;
   return kernel;
 }
 
-// Every shape of the recipes' range: windows 4..8, nominal wavelengths .8 to 2.2 windows, stretch, angle; isotropic
-// once.
+// Every shape of the recipes' range: windows 4..8, nominal wavelengths .8 to 2.2 windows, stretch, angle, isotropic.
 void each_shape(int wavelengths, int angles, const std::function<void(const MaskShape&)>& act) {
   for (uint8_t radius = 4; radius <= 8; ++radius)
     for (int w = 0; w <= wavelengths; ++w) {
@@ -301,7 +306,7 @@ static std::vector<double> projected(MaskShape shape, double theta) {
   for (int k = 0; k < 60; ++k) {
     shape.angle = static_cast<uint16_t>(k * 32768 / 60);
     const double turn = shape.angle * 2 * kPi / 65536;
-    const std::vector<double> kernel = exact(&shape, 1);
+    const std::vector<double> kernel = kernel_of(&shape, 1);
     sum.resize(kernel.size());
     double factor = 0;
     for (int m = 0; m < 5; ++m) factor += (m == 0 ? 1 : 2) * harmonic(m, turn) * harmonic(m, theta);

@@ -29,7 +29,7 @@ static void prepare(const Context& context, bool running) {
 void prepare_sliced(const Context& context) { prepare(context, true); }
 void prepare_lean(const Context& context) { prepare(context, false); }
 
-void prepare_stored(const Context& context) { *reinterpret_cast<const void**>(context.table) = context.stored; }
+void prepare_stored(const Context& context) { base::copy_bytes(context.table, &context.stored, sizeof context.stored); }
 
 static bool next(const Context& context, Cursor& cursor, grid::RowKernel row, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;

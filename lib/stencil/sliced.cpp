@@ -53,7 +53,8 @@ template <class W> static Job<W> job_of(const grid::Rows& rows, bool field) {
 
 // The same with masks in read-only memory: the table is the place of a StoredMasks.
 template <class W> static Job<W> stored_job(const grid::Rows& rows, bool field) {
-  const StoredMasks<1>* masks = *reinterpret_cast<const StoredMasks<1>* const*>(rows.table);
+  const StoredMasks<1>* masks = nullptr;
+  base::copy_bytes(&masks, rows.table, sizeof masks);  // the table is aligned to four bytes only
   const StoredSet set = base::rom_load(&masks->set);
   return job_of<W>(rows, field, set.count, set.radius, set.sum, masks->taps);
 }
