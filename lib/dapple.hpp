@@ -123,7 +123,9 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
     need.halo = halo_of(recipe);
     return check_window(domain, need);
   }
-  if (domain.width % need.multiple != 0 || domain.height % need.multiple != 0) return not_a_multiple;
+  const bool whole = domain.width % need.multiple == 0 && domain.height % need.multiple == 0 && domain.x % need.multiple == 0 &&
+                     domain.y % need.multiple == 0;
+  if (!whole) return not_a_multiple;
   if (domain.width < need.width || domain.height < need.height) return tile_too_small;
   return ok;
 }

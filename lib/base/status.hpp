@@ -19,7 +19,7 @@ enum Status : int8_t {
   // begin: Need says what it wanted
   bad_recipe = -10,     // stages that do not fit each other, or numbers outside their ranges
   bad_side = -11,       // a side below 8
-  not_a_multiple = -12, // a side that the recipe's coarsest grid does not divide
+  not_a_multiple = -12, // a side, or a roll of a torus, that the recipe's coarsest grid does not divide
   tile_too_small = -13, // a side below what the pattern needs
   too_large = -14,      // the texture does not fit the address space
   too_little_memory = -15,

@@ -8,7 +8,8 @@ namespace dapple {
 constexpr uint16_t kSmallestSide = 8;  // cells of a domain, either direction; the largest side is 65535
 
 // A torus of width x height cells repeats without a seam in both directions; (x, y) rolls it: the cell (0, 0) of the
-// tile shows the cell (x mod width, y mod height) of the unrolled one.
+// tile shows the cell (x mod width, y mod height) of the unrolled one; x and y are multiples of what the recipe's
+// coarsest grid asks of the sides.
 // A window shows the cells (x, y) .. (x + width - 1, y + height - 1) of the infinite plane; it holds the same bits as that
 // part of any other window. Its cells lie within -kFarthest .. kFarthest.
 struct Domain {
@@ -40,7 +41,7 @@ constexpr int32_t round_down(int32_t value, int32_t step) {
 
 // `step` is what the coarsest grid's cells are to the finest.
 constexpr Ground ground_of(const Domain& d, uint16_t halo, uint16_t step) {
-  if (!d.plane) return {d.width, d.height, d.x, d.y};
+  if (!d.plane) return {d.width, d.height, d.x % d.width, d.y % d.height};
   const int32_t left = round_down(d.x - halo, step), top = round_down(d.y - halo, step);
   const int32_t right = -round_down(-(d.x + d.width + halo), step), bottom = -round_down(-(d.y + d.height + halo), step);
   return {static_cast<uint16_t>(right - left), static_cast<uint16_t>(bottom - top), left, top};

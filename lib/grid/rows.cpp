@@ -42,7 +42,7 @@ static void wrap_eight(uint8_t* row, uint16_t width, uint8_t halo) {
   const uint8_t first = row[0];
   const uint8_t used = static_cast<uint8_t>(width & 7);
   uint8_t* const end = row + (width >> 3);
-  end[0] = static_cast<uint8_t>((end[0] & ((1u << used) - 1u)) | (static_cast<uint16_t>(first) << used));
+  end[0] = static_cast<uint8_t>((end[0] & ((1u << used) - 1u)) | (static_cast<uint32_t>(first) << used));
   if (used + halo > 8) end[1] = static_cast<uint8_t>(first >> (8 - used));
   row[-1] = last;
 }

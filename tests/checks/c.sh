@@ -12,12 +12,15 @@ helpers='mem(cpy|set)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv(mod)?|u?ldivmod
 bare="--target=thumbv6m-none-eabi -mcpu=cortex-m0 -mfloat-abi=soft -ffreestanding -Os"
 sanitize="-g -fsanitize=address,undefined -fno-sanitize=function,vptr -fno-sanitize-recover=all"  # those two: C++ only
 
+# What runs beside the rest notes its failures here.
+note() { echo "$*" >> "$scratch/failed"; }
+
 # quietly NAME COMMAND...: the output is shown only on failure
 quietly() {
   local name=$1
   shift
   "$@" > "$scratch/$name.log" 2>&1 && return 0
-  echo "$name: ${*:1:2} ... failed: $(head -15 "$scratch/$name.log")" >> "$scratch/failed"
+  note "$name: ${*:1:2} ... failed: $(head -15 "$scratch/$name.log")"
   return 1
 }
 
@@ -60,9 +63,9 @@ fits_bare_metal() {
   llvm-nm --defined-only "$object-lib.o" | awk '{ print $3 }' | sort > "$scratch/defined"
   llvm-nm -u "$object-port.o" | awk '{ print $2 }' | sort | comm -23 - "$scratch/defined" |
     grep -vxE "$helpers" > "$scratch/asks"
-  [ ! -s "$scratch/asks" ] || fail "cortex-m0: asks for $(tr '\n' ' ' < "$scratch/asks")"
-  ! llvm-nm "$object-port.o" | grep -E ' [bBdD] ' || fail "cortex-m0: variables"
-  ld.lld -r "$object-port.o" "$object-lib.o" -o "$object" || fail "cortex-m0: the port and the library do not link"
+  [ ! -s "$scratch/asks" ] || note "cortex-m0: asks for $(tr '\n' ' ' < "$scratch/asks")"
+  ! llvm-nm "$object-port.o" | grep -E ' [bBdD] ' || note "cortex-m0: variables"
+  ld.lld -r "$object-port.o" "$object-lib.o" -o "$object" || note "cortex-m0: the port and the library do not link"
   echo "cortex-m0: $(llvm-size "$object" | awk 'NR == 2 { print $1 + $2 }') bytes with all of the library"
 }
 
