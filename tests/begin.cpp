@@ -48,6 +48,16 @@ TEST_CASE("begin: sizes") {
   CHECK(try_begin(levels, torus(64, 68), &need) == dapple::ok);
 }
 
+TEST_CASE("begin: a torus rolls by what its coarsest grid knows, and by any number of turns") {
+  const Recipe bits = dapple::load(dapple::presets::zebra_bits);
+  CHECK(try_begin(bits, torus(96, 80, 1, 0)) == dapple::not_a_multiple);
+  CHECK(try_begin(bits, torus(96, 80, 0, -3)) == dapple::not_a_multiple);
+  tests::Grown near(bits, torus(96, 80, 2, 78), 3), far(bits, torus(96, 80, 2 + 96 * 20000000, 78 - 80 * 20000000), 3);
+  REQUIRE(near.status == dapple::ok);
+  REQUIRE(far.status == dapple::ok);
+  CHECK(near.field_hash() == far.field_hash());
+}
+
 TEST_CASE("begin: memory and bands") {
   const Recipe zebra = dapple::load(dapple::presets::zebra);
   Need need{};

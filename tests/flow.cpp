@@ -194,8 +194,8 @@ TEST_CASE("flow: a coarse grid grows like a fine one of its size, rolled too") {
       const Torus fine = library_cells(recipe, dapple::torus(150, 110, 11, -20));
       recipe.stage[0].level = static_cast<uint8_t>(level);
       const int by = 1 << level;
-      CHECK(library_cells(recipe, dapple::torus(static_cast<uint16_t>(150 * by), static_cast<uint16_t>(110 * by), 11 * by,
-                                                -20 * by)) == fine);
+      CHECK(library_cells(recipe, dapple::torus(static_cast<uint16_t>(150 * by), static_cast<uint16_t>(110 * by),
+                                                11 * by, -20 * by)) == fine);
     }
 }
 
