@@ -11,18 +11,31 @@ namespace presets = dapple::presets;
 
 namespace {
 
-// Presets as they are, and recipes with fewer steps or other numbers.
-constexpr Preset cell_program DAPPLE_ROM = dapple::recipe::preset("cells rule=0xe8808000 steps=24");
-constexpr Preset lean_maze DAPPLE_ROM = dapple::recipe::preset("bits masks=2 react=da window=6 scale=8 stretch=3 angle=0 steps=4 solver=lean");
+// Presets as they are, and recipes with fewer steps or other numbers. The cell program: on, where an odd number of the
+// five is on; it never dies out.
+constexpr Preset cell_program DAPPLE_ROM = dapple::recipe::preset("cells rule=0x96696996 steps=24");
+constexpr Preset lean_maze DAPPLE_ROM =
+    dapple::recipe::preset("bits masks=2 react=da window=6 scale=8 stretch=3 angle=0 steps=4 solver=lean");
 constexpr Preset short_mitosis DAPPLE_ROM = dapple::recipe::preset("gray-scott feed=0.0367 kill=0.0649 steps=40");
-constexpr Preset finer DAPPLE_ROM = dapple::recipe::preset("threshold pairs=1 react=md scale=2.2 stretch=2 angle=78.5 rho=0 solver=euler levels=2 steps=8");
-static_assert(cell_program.recipe.stages > 0 && lean_maze.recipe.stages > 0 && short_mitosis.recipe.stages > 0 && finer.recipe.stages > 0,
-              "a recipe is refused");
+constexpr Preset finer DAPPLE_ROM = dapple::recipe::preset(
+    "threshold pairs=1 react=md scale=2.2 stretch=2 angle=78.5 rho=0 solver=euler levels=2 steps=8");
+constexpr bool good(const Preset& preset) { return preset.recipe.stages > 0; }
+static_assert(good(cell_program) && good(lean_maze) && good(short_mitosis) && good(finer), "a recipe is refused");
 
 // What firmware does: masks and sizes made by the compiler, kept in read-only memory.
-constexpr auto masks DAPPLE_ROM = dapple::stored_masks<1>(presets::zebra_bits);
-constexpr dapple::Fixed fixed_zebra DAPPLE_ROM = dapple::fixed(presets::zebra_bits, masks, dapple::torus(64, 64), true);
-constexpr size_t kFixedBytes = fixed_zebra.need.bytes;
+template <const Preset& preset, uint8_t count> constexpr auto masks DAPPLE_ROM = dapple::stored_masks<count>(preset);
+template <const Preset& preset, uint8_t count, uint16_t side>
+constexpr dapple::Fixed stored DAPPLE_ROM =
+    dapple::fixed(preset, masks<preset, count>, dapple::torus(side, side), true);
+template <const Preset& preset, uint16_t width, uint16_t height, int32_t x, int32_t y, bool plane>
+[[maybe_unused]] constexpr dapple::Fixed kept DAPPLE_ROM = dapple::fixed(preset, Domain{width, height, x, y, plane});
+
+// SELFTEST_FIXED: every texture by begin(Fixed), the only one that reads its recipe from the flash of an AVR.
+#ifdef SELFTEST_FIXED
+constexpr bool kFixed = true;
+#else
+constexpr bool kFixed = false;
+#endif
 
 constexpr uint16_t kWidest = 128;
 
@@ -56,12 +69,16 @@ void print_hex(const Host& host, uint64_t number) {
 
 void add_byte(uint64_t& hash, uint8_t byte) { hash = (hash ^ byte) * UINT64_C(0x100000001b3); }
 
-DAPPLE_APART uint64_t hash_of_field(Texture& texture, const Domain& d) {
+// flat: all values are the same, so the hash says little.
+DAPPLE_APART uint64_t hash_of_field(Texture& texture, const Domain& d, bool& flat) {
   uint64_t hash = UINT64_C(0xcbf29ce484222325);
-  int16_t row[kWidest];
+  int16_t row[kWidest], first = 0;
+  flat = true;
   for (uint16_t y = 0; y < d.height; ++y) {
     texture.row(y, row);
+    if (y == 0) first = row[0];
     for (uint16_t x = 0; x < d.width; ++x) {
+      flat = flat && row[x] == first;
       const uint8_t sign = row[x] < 0 ? 255 : 0;
       add_byte(hash, static_cast<uint8_t>(static_cast<uint16_t>(row[x])));
       add_byte(hash, static_cast<uint8_t>(static_cast<uint16_t>(row[x]) >> 8));
@@ -96,7 +113,8 @@ void tell(const Host& host, const char* name, const char* kind, const Domain& d,
   host.put('\n');
 }
 
-void finish(const Host& host, Texture& texture, dapple::Status status, const char* name, const Domain& d, uint32_t seed, bool pixels) {
+void finish(const Host& host, Texture& texture, dapple::Status status, const char* name, const Domain& d, uint32_t seed,
+            bool pixels) {
   if (status != dapple::ok) {
     print(host, name);
     print(host, " is refused\n");
@@ -104,35 +122,59 @@ void finish(const Host& host, Texture& texture, dapple::Status status, const cha
   }
   while (texture.step(16) == dapple::more) {
   }
-  tell(host, name, "", d, seed, hash_of_field(texture, d));
+  bool flat = false;
+  const uint64_t hash = hash_of_field(texture, d, flat);
+  tell(host, name, flat ? " is flat" : "", d, seed, hash);
   if (pixels) tell(host, name, "/rgb565", d, seed, hash_of_pixels(texture, d));
 }
 
-DAPPLE_APART void grow(const Host& host, const char* name, const Preset& preset, const Domain& d, uint32_t seed, bool pixels) {
-  Texture texture;
-  finish(host, texture, texture.begin(preset, d, seed, host.memory, host.bytes), name, d, seed, pixels);
+// source: a Preset or a Fixed
+[[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const Preset& preset, const Domain& d,
+                                      uint32_t seed) {
+  return texture.begin(preset, d, seed, host.memory, host.bytes);
+}
+[[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const dapple::Fixed& fixed, const Domain&,
+                                      uint32_t seed) {
+  return texture.begin(fixed, seed, host.memory, host.bytes);
 }
 
-// The bytes are counted by the compiler, so that no table in flash is read as if it were RAM.
-template <const Preset& preset, uint16_t width, uint16_t height>
+template <class Source>
+DAPPLE_APART void grow(const Host& host, const char* name, const Source& source, const Domain& d, uint32_t seed,
+                       bool pixels) {
+  Texture texture;
+  finish(host, texture, begun(host, texture, source, d, seed), name, d, seed, pixels);
+}
+
+// The bytes are counted by the compiler. Where an object of that size is beyond the address space, or beyond POOL, the
+// line and what it would link are left out.
+constexpr bool good(const dapple::Need& need) { return need.status == dapple::ok || need.status == dapple::too_large; }
+#ifdef POOL
+constexpr size_t kPool = POOL;
+#else
+constexpr size_t kPool = SIZE_MAX;
+#endif
+constexpr bool fits(const dapple::Need& need) { return need.status == dapple::ok && need.bytes <= kPool; }
+
+template <const Preset& preset, uint16_t width, uint16_t height, int32_t x = 0, int32_t y = 0, bool plane = false>
 void tile(const Host& host, const char* name, uint32_t seed = 7, bool pixels = false) {
-  constexpr size_t bytes = dapple::bytes_for(preset, dapple::torus(width, height));
-  static_assert(bytes > 0, "a size is refused");
-  if (bytes <= host.bytes) grow(host, name, preset, dapple::torus(width, height), seed, pixels);
+  constexpr Domain domain = {width, height, x, y, plane};
+  constexpr dapple::Need need = dapple::need_for(preset, domain);
+  static_assert(good(need), "a domain is refused");
+  if constexpr (fits(need)) {
+    if (need.bytes > host.bytes) return;
+    if constexpr (kFixed) grow(host, name, kept<preset, width, height, x, y, plane>, domain, seed, pixels);
+    else grow(host, name, preset, domain, seed, pixels);
+  }
 }
 
 template <const Preset& preset, int32_t x, int32_t y>
-void far_window(const Host& host, const char* name) {
-  constexpr Domain domain = dapple::window(x, y, 40, 24);
-  constexpr size_t bytes = dapple::bytes_for(preset, domain);
-  static_assert(bytes > 0, "a window is refused");
-  if (bytes <= host.bytes) grow(host, name, preset, domain, 7, false);
-}
+void far_window(const Host& host, const char* name) { tile<preset, 40, 24, x, y, true>(host, name); }
 
-DAPPLE_APART void fixed_tile(const Host& host) {
-  if (kFixedBytes > host.bytes) return;
-  Texture texture;
-  finish(host, texture, texture.begin(fixed_zebra, 7, host.memory, host.bytes), "zebra-bits/fixed", dapple::torus(64, 64), 7, true);
+template <const Preset& preset, uint8_t count>
+void stored_tile(const Host& host, const char* name) {
+  constexpr size_t bytes = dapple::fixed(preset, masks<preset, count>, dapple::torus(64, 64), true).need.bytes;
+  static_assert(bytes > 0, "a size is refused");
+  if (bytes <= host.bytes) grow(host, name, stored<preset, count, 64>, dapple::torus(64, 64), 7, true);
 }
 
 }  // namespace
@@ -140,7 +182,8 @@ DAPPLE_APART void fixed_tile(const Host& host) {
 void selftest(void (*put)(char), size_t memory_bytes, void* memory) {
   const Host host{put, memory_bytes, memory};
   tile<cell_program, 64, 64>(host, "cell-program");
-  fixed_tile(host);
+  stored_tile<presets::zebra_bits, 1>(host, "zebra-bits/stored");
+  stored_tile<presets::weave_bits, 2>(host, "weave-bits/stored");
   tile<presets::zebra_bits, 64, 64>(host, "zebra-bits");
   tile<presets::weave_bits, 64, 64>(host, "weave-bits", 7, true);
   tile<presets::labyrinth_bits, 64, 64>(host, "labyrinth-bits");

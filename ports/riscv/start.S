@@ -1,0 +1,41 @@
+# Start-up of RV32 and RV64 without a C library: stack, .bss, main; and the call to the semihosting host.
+# Everything is loaded into RAM, so .data needs no copy.
+# SPDX-License-Identifier: MIT
+  .section .start, "ax"
+  .globl _start
+_start:
+  csrr t0, mhartid
+  bnez t0, rest
+  la sp, stack_top
+  la t0, trap
+  csrw mtvec, t0
+  la t1, bss_begin
+  la t2, bss_end
+clear:
+  bgeu t1, t2, cleared
+  sb zero, 0(t1)
+  addi t1, t1, 1
+  j clear
+cleared:
+  call main
+  j host_exit
+rest:
+  wfi
+  j rest
+  .balign 4
+trap:
+  li a0, 1
+  j host_exit
+
+# The host knows its call by three instructions of full length on one page.
+  .text
+  .globl host_call
+  .balign 16
+host_call:
+  .option push
+  .option norvc
+  slli zero, zero, 0x1f
+  ebreak
+  srai zero, zero, 7
+  .option pop
+  ret

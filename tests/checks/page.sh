@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# The browser page: built, then used in headless Chromium; its bytes are the goldens' and the command line's.
+#   page.sh [BUILD]
+#   page.sh --packages    what tests/run installs for it
+# SPDX-License-Identifier: MIT
+if [ "${1:-}" = --packages ]; then
+  echo "clang++:clang wasm-ld:lld chromium:chromium node:nodejs npm:npm"
+  exit 0
+fi
+. "$(dirname "$0")/common.bash"
+need clang++ wasm-ld chromium node npm timeout
+build=$(cd "${1:-$root/build}" && pwd)
+[ -x "$build/dapple" ] || { echo "$build/dapple is missing: configure with -DDAPPLE_TOOLS=ON and build"; exit 1; }
+
+"$root/ports/wasm/build" "$build" || { echo "the module does not build"; exit 1; }
+if [ ! -d "$build/playwright/node_modules/playwright-core" ]; then
+  npm install --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||
+    { echo "npm cannot install playwright-core: $(tail -3 "$scratch/npm")"; exit 1; }
+fi
+"$build/dapple" grow zebra-bits --at 128,-256 --size 128x128 --seed 1337 --format raw --pixels rgba8888 -o "$scratch/chunk" ||
+  { echo "no native chunk to compare with"; exit 1; }
+NODE_PATH=$build/playwright/node_modules CHROMIUM=$(command -v chromium) \
+  timeout 150 node "$root/tests/page/page.mjs" "$build/page/index.html" "$root/tests/golden/presets.txt" "$scratch/chunk" \
+  "$build/page" || fail "the page in Chromium"
+finish
