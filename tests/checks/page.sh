@@ -14,7 +14,7 @@ build=$(cd "${1:-$root/build}" && pwd)
 
 "$root/ports/wasm/build" "$build" || { echo "the module does not build"; exit 1; }
 if [ ! -d "$build/playwright/node_modules/playwright-core" ]; then
-  npm install --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||
+  npm install --prefer-offline --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||
     { echo "npm cannot install playwright-core: $(tail -3 "$scratch/npm")"; exit 1; }
 fi
 "$build/dapple" grow zebra-bits --at 128,-256 --size 128x128 --seed 1337 --format raw --pixels rgba8888 -o "$scratch/chunk" ||
