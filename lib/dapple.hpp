@@ -244,7 +244,7 @@ constexpr Fixed fixed(const Preset& preset, const stencil::StoredMasks<n>& masks
 // One texture on its way. The struct and the memory are the whole state: copyable together, no destructor needed.
 class Texture {
  public:
-  // Checks everything, then readies the texture; grows nothing yet. The recipe and the memory must outlive it. On an error
+  // Checks everything, then readies the texture; grows nothing yet. Not on AVR, whose models lie in flash: begin with a Fixed. The recipe and the memory must outlive it. On an error
   // the object is as it was; `need`, if given, says what was wanted.
   Status begin(const Preset& preset, const Domain& domain, uint32_t seed, void* memory, size_t bytes,
                const Options& options = Options{}, Need* need = nullptr);
