@@ -10,8 +10,7 @@ int32_t grown_of(const stencil::MaskShape& shape) {
   const int32_t peak = stencil::peak_wavelength(mask, shape);
   const int32_t share = shape.isotropic ? base::clamp(965 + (peak / 1000 - 5500) * 33 / 4500, 960, 1000) : 985;  // in 1/1000
   const int32_t grown = static_cast<int32_t>(static_cast<int64_t>(peak) * share / 1000);
-  const int32_t shortest = !shape.isotropic ? 4400000 : shape.radius == 4 ? 5600000 : 5000000;
-  return grown < shortest ? 0 : grown;
+  return grown < (shape.isotropic ? 5800000 : 4400000) ? 0 : grown;
 }
 
 int32_t grown_wavelength(const int32_t* number) {

@@ -55,7 +55,7 @@ void prepare_lean(const Context& context);
 
 // The wavelength these numbers grow, in 1/kMicro cells of the grid, within 4 %: .985 of the first mask's peak (isotropic:
 // .965 at 5.5 cells, rising to 1 at 10.3), which is what
-// spectra of grown textures show. 0: shorter than 4.4 cells (isotropic: 5, window 4: 5.6), where rounding leaves no telling.
+// spectra of grown textures show. 0: shorter than 4.4 cells (isotropic: 5.8), where rounding leaves no telling.
 int32_t grown_wavelength(const int32_t* number);
 int32_t grown_of(const stencil::MaskShape& shape);
 
