@@ -149,8 +149,9 @@ for (const ground of ["#torus", "#plane"]) {
   }
 }
 await page.setViewportSize({ width: 700, height: 500 });
+const fits = () => innerWidth === 700 && window.page.canvas.width === window.page.canvas.clientWidth;
+check(await page.waitForFunction(fits, null, { timeout: 10000 }).then(() => true, () => false), "resizing");
 await settled(page);
-check(await page.evaluate(() => window.page.canvas.width === window.page.canvas.clientWidth), "resizing");
 
 const phone = await open(390, 844, { deviceScaleFactor: 2, hasTouch: true, isMobile: true });
 await settled(phone);
