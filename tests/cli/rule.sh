@@ -1,26 +1,9 @@
 #!/usr/bin/env bash
 # Tests the command rule end to end: rule.sh DAPPLE. One line a failed check, a sum at the end.
 # SPDX-License-Identifier: MIT
-set -u
-export LC_ALL=C
-if [ $# -ne 1 ] || [ ! -x "$1" ]; then echo "usage: rule.sh DAPPLE, the program to test" >&2; exit 2; fi
-here=$(cd "$(dirname "$0")" && pwd)
-dapple=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/work" && cd "$folder/work" || exit 1
-passed=0 failed=0
-
-good() { passed=$((passed + 1)); }
-bad() { echo "FAILED: $*"; failed=$((failed + 1)); }
-check() {
-  local name=$1
-  shift
-  if "$@" > "$folder/said" 2>&1; then good; else bad "$name: $(head -3 "$folder/said" | tr '\n' ' ')"; fi
-}
-equal() { if [ "$2" = "$3" ]; then good; else bad "$1: '$2' is not '$3'"; fi; }
-differ() { if [ "$2" != "$3" ]; then good; else bad "$1: both are '$2'"; fi; }
+. "$(dirname "$0")/common.bash"
 rule() { "$dapple" rule "$@"; }
+run() { rule "$@"; }
 
 # makes FILE ARGUMENTS...: that file is the only one there afterwards; moved out of the way. Its words are in out.
 makes() {
@@ -31,23 +14,6 @@ makes() {
   equal "rule $*: stderr" "$(cat "$folder/err")" ""
   equal "rule $* writes" "$(ls -A)" "$file"
   mv -f -- "$file" "$folder/" 2> /dev/null
-}
-
-# refused CODE TEXT... -- ARGUMENTS...: that exit code, one line on stderr with every TEXT, nothing on stdout, no file.
-refused() {
-  local code=$1 got texts=() text
-  shift
-  while [ "$1" != -- ]; do texts+=("$1"); shift; done
-  shift
-  rule "$@" > "$folder/out" 2> "$folder/err"
-  got=$?
-  equal "rule $*: exit code" "$got" "$code"
-  equal "rule $*: lines on stderr" "$(($(wc -l < "$folder/err")))" 1
-  equal "rule $*: stdout" "$(cat "$folder/out")" ""
-  equal "rule $*: files" "$(ls -A)" ""
-  for text in "dapple: " "${texts[@]}"; do
-    if grep -qF -e "$text" "$folder/err"; then good; else bad "rule $*: no '$text' in: $(cat "$folder/err")"; fi
-  done
 }
 
 python=no

@@ -1,27 +1,7 @@
 #!/usr/bin/env bash
 # Tests the command line end to end: run.sh DAPPLE. One line a failed check, a sum at the end.
 # SPDX-License-Identifier: MIT
-set -u
-export LC_ALL=C
-if [ $# -ne 1 ] || [ ! -x "$1" ]; then echo "usage: run.sh DAPPLE, the program to test" >&2; exit 2; fi
-here=$(cd "$(dirname "$0")" && pwd)
-dapple=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/work" && cd "$folder/work" || exit 1
-passed=0 failed=0
-
-good() { passed=$((passed + 1)); }
-bad() { echo "FAILED: $*"; failed=$((failed + 1)); }
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-  local name=$1
-  shift
-  if "$@" > "$folder/out" 2>&1; then good; else bad "$name: $(head -3 "$folder/out" | tr '\n' ' ')"; fi
-}
-equal() { if [ "$2" = "$3" ]; then good; else bad "$1: '$2' is not '$3'"; fi; }
-differ() { if [ "$2" != "$3" ]; then good; else bad "$1: both are '$2'"; fi; }
+. "$(dirname "$0")/common.bash"
 limit=  # of memory, KB
 run() { (if [ -n "$limit" ]; then ulimit -v $limit; fi; exec "$dapple" "$@"); }
 
@@ -34,25 +14,6 @@ makes() {
   equal "$* says nothing" "$said" ""
   equal "$* writes" "$(ls -A)" "$file"
   mv -f -- "$file" "$folder/" 2> /dev/null
-}
-
-# refused CODE TEXT... -- ARGUMENTS...: that exit code, one line on stderr with every TEXT, nothing on stdout, no file.
-refused() {
-  local code=$1 lines got texts=() text
-  shift
-  while [ "$1" != -- ]; do texts+=("$1"); shift; done
-  shift
-  rm -f -- *
-  run "$@" > "$folder/out" 2> "$folder/err"
-  got=$?
-  equal "$*: exit code" "$got" "$code"
-  lines=$(wc -l < "$folder/err")
-  equal "$*: lines on stderr" "$((lines))" 1
-  equal "$*: stdout" "$(cat "$folder/out")" ""
-  equal "$*: files" "$(ls -A)" ""
-  for text in "dapple: " "${texts[@]}"; do
-    if grep -qF -e "$text" "$folder/err"; then good; else bad "$*: no '$text' in: $(cat "$folder/err")"; fi
-  done
 }
 
 python=no
