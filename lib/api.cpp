@@ -16,10 +16,6 @@ Status Texture::begin(const Recipe& recipe, const Domain& domain, uint32_t seed,
   return start(recipe, &recipe, false, domain, seed, memory, bytes, options, need);
 }
 
-static uint8_t* aligned(void* memory) {
-  return static_cast<uint8_t*>(memory) + (-reinterpret_cast<uintptr_t>(memory) & 3u);
-}
-
 Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
@@ -33,7 +29,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   rows_in_all_ = wanted.rows;
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
   const Domain grown = api::with_edge(domain);
-  ready({plan, grown, api::ground_of(domain, wanted), parts, aligned(memory), options.kernels, seed, options.bands}, stored, domain);
+  ready({plan, grown, api::ground_of(domain, wanted), parts, base::aligned4(memory), options.kernels, seed, options.bands}, stored, domain);
   return ok;
 }
 
@@ -46,7 +42,7 @@ Status Texture::begin(const Fixed& fixed, uint32_t seed, void* memory, size_t by
   rows_in_all_ = need.rows;
   const evolve::Plan plan = {&fixed.recipe.start, fixed.recipe.stage, base::rom_load(&fixed.recipe.stages), true};
   const Domain domain = base::rom_load(&fixed.domain);
-  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), aligned(memory), nullptr, seed, 1};
+  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1};
   setup.parts.frugal = frugal_;
   ready(setup, &fixed.recipe, domain);
   return ok;

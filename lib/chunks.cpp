@@ -32,7 +32,7 @@ Status Chunks::start(const Preset* preset, const Recipe* recipe, uint32_t seed, 
   if (need != nullptr) *need = wanted;
   if (wanted.status != ok) return wanted.status;
 
-  uint8_t* const aligned = static_cast<uint8_t*>(memory) + (-reinterpret_cast<uintptr_t>(memory) & 3u);
+  uint8_t* const aligned = base::aligned4(memory);
   preset_ = preset;
   recipe_ = recipe;
   slot_ = reinterpret_cast<api::ChunkSlot*>(aligned);

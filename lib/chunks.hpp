@@ -8,8 +8,7 @@
 //   // every frame
 //   world.look_at(x, y, 240, 160);
 //   while (time_is_left() && world.step(16) == dapple::more) {}
-//   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null while it is
-//   missing
+//   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null: missing
 //
 // Chunk (cx, cy) holds the cells (cx side, cy side) .. (cx side + side - 1, cy side + side - 1): the bytes of a window
 // grown there, whatever was looked at before, in whatever slices.

@@ -61,6 +61,9 @@ template <class T> inline T rom_load(const T* p) {
 template <class T> inline T rom_load(const T* p) { return *p; }
 #endif
 
+// The first multiple of four bytes from `memory` on.
+inline uint8_t* aligned4(void* memory) { return static_cast<uint8_t*>(memory) + (-reinterpret_cast<uintptr_t>(memory) & 3u); }
+
 // copy_bytes: count bytes, no overlap. Compilers turn even a freestanding program's copies into memcpy; where they offer
 // the word for it, it is said outright.
 inline void copy_bytes(void* to, const void* from, size_t count) {
