@@ -4,7 +4,7 @@
 //
 // Keys: the model's numbers; steps, level, solver of the stage; levels, fine (a whole coarse-to-fine run); wavelength
 // (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; ramp, range=LOW,HIGH, light,
-// gloss, grain. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
+// gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "reader.hpp"
@@ -36,6 +36,10 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
     slot = static_cast<uint8_t>(slot + slots_of(n.kind));
   }
   return true;
+}
+
+constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
+  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
 
 // Total steps of the recipe: what `steps=` of an override means, whatever levels it runs on.
@@ -93,6 +97,16 @@ constexpr bool start_key(Reader& r, Word key, Word value, bool& found) {
   return true;
 }
 
+// "LOW,HIGH", both 0..1, in 1/255.
+constexpr bool shares_in(Reader& r, Word text, uint8_t* shares) {
+  int32_t low = 0, high = 0;
+  Word rest = text;
+  if (!decimal_in(r, take(rest, ','), 0, base::kMicro, low) || !decimal_in(r, rest, 0, base::kMicro, high)) return false;
+  shares[0] = static_cast<uint8_t>(times(low, 255, base::kMicro));
+  shares[1] = static_cast<uint8_t>(times(high, 255, base::kMicro));
+  return true;
+}
+
 constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   Paint& p = r.recipe->paint;
   found = true;
@@ -105,6 +119,8 @@ constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "light")) return decimal_in(r, value, 0, 100 * base::kMicro, p.light);
   if (equal(key, "gloss")) return decimal_in(r, value, 0, base::kMicro, p.gloss);
   if (equal(key, "grain")) return decimal_in(r, value, 0, base::kMicro, p.grain);
+  if (equal(key, "opacity")) return shares_in(r, value, p.opacity);
+  if (equal(key, "roughness")) return shares_in(r, value, p.roughness);
   found = false;
   return true;
 }
@@ -155,9 +171,6 @@ constexpr bool spread_levels(Reader& r, Word all) {
   return true;
 }
 
-constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
-  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
-}
 constexpr int32_t times(int32_t value, int32_t now, int32_t was, const int32_t* range) {
   const int64_t product = base::divide_round(static_cast<int64_t>(value) * now, was);
   return static_cast<int32_t>(product < range[0] ? range[0] : product > range[1] ? range[1] : product);

@@ -152,6 +152,13 @@ static void put_ramp(Writer& w, const Ramp& ramp) {
   }
 }
 
+static void put_shares(Writer& w, const char* key, const uint8_t* shares) {
+  put_key(w, key);
+  put_decimal(w, times(shares[0], base::kMicro, 255));
+  put(w, ',');
+  put_decimal(w, times(shares[1], base::kMicro, 255));
+}
+
 static void put_paint(Writer& w, const Paint& p) {
   put_ramp(w, p.ramp);
   put_key(w, "range");
@@ -161,6 +168,8 @@ static void put_paint(Writer& w, const Paint& p) {
   put_pair(w, "light", p.light);
   put_pair(w, "gloss", p.gloss);
   put_pair(w, "grain", p.grain);
+  put_shares(w, "opacity", p.opacity);
+  put_shares(w, "roughness", p.roughness);
 }
 
 }  // namespace recipe

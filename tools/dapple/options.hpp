@@ -25,6 +25,7 @@ struct Options {
   uint32_t seed = 1337;
   std::optional<uint32_t> steps;
   std::string output;  // empty: after the subject
+  std::string maps;    // the folder of a material's maps; empty: one picture
   std::optional<Format> format;
   dapple::View view = dapple::View::colour;
   std::optional<dapple::Pixels> pixels;
@@ -37,6 +38,7 @@ struct Options {
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
+  bool mips = false;   // and their levels
   bool map = false, rle = false, text = false;
   bool dither = false, flip_y = false, hash = false, json = false;
 };

@@ -227,8 +227,8 @@ std::vector<std::string> keys_of(const Family& family) {
 }
 
 std::vector<std::string> common_keys() {
-  return {"wavelength", "steps",  "level",     "levels", "fine",  "solver", "start", "pitch", "aspect",
-          "jitter",     "radius", "amplitude", "ramp",   "range", "light",  "gloss", "grain"};
+  return {"wavelength", "steps",  "level",     "levels", "fine",  "solver", "start", "pitch",   "aspect",   "jitter",
+          "radius",     "amplitude", "ramp",   "range",  "light", "gloss",  "grain", "opacity", "roughness"};
 }
 
 std::string decimal_text(int32_t micro) {
