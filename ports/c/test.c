@@ -305,12 +305,13 @@ static void check_paint(void) {
   uint8_t row[8] = {0};
   dapple_texture texture;
   dapple_brush brush;
-  void* memory = begun(&texture, "maze steps=12", dapple_torus(48, 40), 11);
+  void* memory = begun(&texture, "maze steps=12 opacity=0.2,0.8", dapple_torus(48, 40), 11);
   if (memory == NULL) return;
   finish(&texture, 64);
   memset(&brush, 0, sizeof brush);
   for (format = 0; format < 10; ++format) {
     brush.format = (dapple_pixels)format;
+    brush.view = format > 7 ? DAPPLE_HEIGHT : DAPPLE_COLOUR; /* 257 times eight bits has two equal bytes */
     for (brush.dither = 0; brush.dither < (format < 3 || format > 7 ? 1 : 2); ++brush.dither)
       seen[count++] = pixels_hash(&texture, &brush);
   }

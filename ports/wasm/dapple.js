@@ -5,7 +5,7 @@
 
 const dapple = {
   formats: { l8: 0, rgb888: 1, rgba8888: 2, rgb565: 3 },
-  views: ["colour", "field", "cells", "height", "normal"],
+  views: ["colour", "field", "cells", "height", "normal", "opacity", "roughness"],
 
   // From base64 or bytes; a promise of what makes desks.
   async load(module) {
