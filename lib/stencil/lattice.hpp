@@ -1,6 +1,7 @@
 // Diffusion over one macro step as three-point passes along lattice directions with growing strides.
 // A constant tensor's Gaussian (Witkin & Kass eq. 9, 12; variance V) factors into at most three one-dimensional ones by
-// Selling's reduction, and each of those into passes of stride 1, 1, 2, 3, 4, ... docs/numbers.md has proof and fidelity.
+// Selling's reduction, and each of those into passes of stride 1, 1, 2, 3, 4, ... , of wide ones 1, 1, 2, 3, 4, 6, 8, 11, ...
+// so that their number grows as the logarithm of the width. docs/numbers.md has proof and fidelity.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../grid/plane.hpp"
@@ -13,8 +14,9 @@ using grid::kOneVariance;
 constexpr int16_t kQuarter = 16384;        // the weight 1/4 in Q16: a full pass
 constexpr int16_t kSmallestWeight = 64;    // a lighter last pass is dropped
 constexpr int32_t kSmallestShare = 1966;   // a direction with less variance than .03 is dropped
-constexpr uint16_t kLargestStride = 24;    // passes 1, 1, 2 ... 24 reach a variance of 2450.5 along a direction
-constexpr int32_t kLargestShare = 160595968;  // that variance, Q16
+constexpr int32_t kWideShare = 3014656;    // 46, Q16: what strides 1, 1, 2 ... 6 reach; a direction with more is wide
+constexpr uint16_t kLargestStride = 45;    // passes 1, 1, 2, 3, 4, 6 ... 45 reach a variance of 2043 along a direction
+constexpr int32_t kLargestShare = 133890048;  // that variance, Q16
 
 // One direction of the reduction: V = sum of share * v v^T. vy > 0, or (vx, vy) == (1, 0).
 struct Direction {
@@ -77,18 +79,27 @@ struct Pass {
 };
 
 // The passes of one direction. Strides 1, 1, 2, 3 ... : stride s at the full weight 1/4 adds s^2 / 2 to the variance;
-// the last pass takes what is left.
+// the last pass takes what is left. A wide one's strides grow by the root of 2 from 4 on: two passes double the width.
 struct PassSeries {
   int32_t rest;   // variance still to be made, Q16
   uint16_t made;  // passes so far
   uint8_t turn;   // parity of the full passes of this plane
+  bool wide;
 };
 
-constexpr PassSeries series_of(int32_t share, uint8_t turn) { return {share, 0, turn}; }
+constexpr PassSeries series_of(int32_t share, uint8_t turn) { return {share, 0, turn, share > kWideShare}; }
+
+// 1, 1, 2, 3, 4, then 5, 6, 7 ..., or 6, 8, 11, 16, 23, 32, 45: 4 sqrt(2)^i, 181 / 32 = 5.656.
+constexpr uint16_t stride_at(uint16_t made, bool wide) {
+  if (made == 0) return 1;
+  if (!wide || made < 4) return made;
+  const uint16_t twice = static_cast<uint16_t>((made - 4) / 2);
+  return static_cast<uint16_t>(made % 2 == 0 ? UINT32_C(4) << twice : ((UINT32_C(181) << twice) + 16) >> 5);
+}
 
 constexpr bool next_pass(PassSeries& series, Pass& pass) {
   if (series.rest <= 0) return false;
-  const uint16_t stride = static_cast<uint16_t>(series.made == 0 ? 1 : series.made);
+  const uint16_t stride = stride_at(series.made, series.wide);
   if (stride > kLargestStride) return false;
   const int32_t square = static_cast<int32_t>(stride) * stride;
   const int32_t capacity = square * (kOneVariance / 2);
