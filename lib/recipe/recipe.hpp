@@ -36,7 +36,7 @@ struct Family {
   const Model* model;
   const Number* numbers;
   uint8_t number_count;
-  const char* solver_names;  // separated by '|'
+  const char* solver_names;  // separated by '|'; multigrid is the first one over several grids (levels.hpp)
   const evolve::Solver* solvers[2];
   uint32_t steps;
   Start start;
@@ -50,7 +50,7 @@ struct Family {
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
 
 inline constexpr Family families[] = {
-    {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
+    {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler|multigrid",
      {&evolve::gaussian, &evolve::euler}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",

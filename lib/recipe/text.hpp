@@ -2,12 +2,12 @@
 //
 //   recipe = model { key=value } { "then" ("carry" | "refine") { key=value } }
 //
-// Keys: the model's numbers; steps, level, solver of the stage; levels, fine (a whole coarse-to-fine run); wavelength
+// Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
 // (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; ramp, range=LOW,HIGH, light,
 // gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "reader.hpp"
+#include "levels.hpp"
 
 namespace dapple::recipe {
 
@@ -42,20 +42,13 @@ constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
 
-// Total steps of the recipe: what `steps=` of an override means, whatever levels it runs on.
-constexpr uint32_t total_steps(const Recipe& r) {
-  uint32_t sum = 0;
-  for (uint8_t i = 0; i < r.stages; ++i) sum += r.stage[i].steps;
-  return sum;
-}
-
 constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
   Stage& stage = r.recipe->stage[r.stage];
   uint32_t whole = 0;
   int32_t index = 0;
   found = true;
   if (equal(key, "steps")) {
-    if (!integer_in(r, value, 0, 1000000, whole)) return false;
+    if (!integer_in(r, value, 0, kMostSteps, whole)) return false;
     const uint32_t later = total_steps(*r.recipe) - stage.steps;  // stages of an overridden recipe keep theirs
     if (r.stage + 1 < r.recipe->stages && whole < later) return fail(r, out_of_range, value, static_cast<int32_t>(later), 1000000, true);
     stage.steps = r.stage + 1 < r.recipe->stages ? whole - later : whole;
@@ -67,12 +60,16 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     return true;
   }
   if (equal(key, "solver")) {
+    if (equal(value, "binary") && stage.model == &threshold_model) return fail(r, not_possible, value);  // the family bits
     if (!word_in(r, value, r.family->solver_names, index)) return false;
+    r.solver_given = true;
+    r.multigrid = equal(value, kMultigrid);
+    if (r.multigrid) index = 0;
     for (uint8_t s = r.stage; s < r.recipe->stages; ++s) r.recipe->stage[s].solver = r.family->solvers[index];
     return true;
   }
   if (equal(key, "levels")) return integer_in(r, value, 1, kMaxLevel + 1, r.levels);
-  if (equal(key, "fine")) return integer_in(r, value, 1, 100000, r.fine);
+  if (equal(key, "fine")) return integer_in(r, value, 1, kMostFine, r.fine);
   if (equal(key, "wavelength")) return decimal_in(r, value, base::kMicro, 500 * base::kMicro, r.wavelength);
   found = false;
   return true;
@@ -150,24 +147,6 @@ constexpr bool then_stage(Reader& r, Word word) {
   if (entry == 0) return true;
   if (before.level == 0) return fail(r, not_possible, word);
   --stage.level;
-  return true;
-}
-
-// levels=L fine=F: the run's steps, all but F on each finer grid, on the coarsest.
-constexpr bool spread_levels(Reader& r, Word all) {
-  if (r.levels == 0) return r.fine == 0 || fail(r, not_possible, all);
-  Recipe& recipe = *r.recipe;
-  const uint32_t total = total_steps(recipe), fine = r.fine == 0 ? 6 : r.fine;
-  if (total <= fine * (r.levels - 1)) return fail(r, not_possible, all);
-  recipe.stages = static_cast<uint8_t>(r.levels);
-  for (uint8_t i = 0; i < recipe.stages; ++i) {
-    recipe.stage[i] = recipe.stage[0];
-    recipe.stage[i].level = static_cast<uint8_t>(recipe.stages - 1 - i);
-    recipe.stage[i].entry = i == 0 ? Entry::start : Entry::refine;
-    recipe.stage[i].refine = i == 0 ? nullptr : evolve::refine_row;
-    recipe.stage[i].steps = fine;
-  }
-  recipe.stage[0].steps = total - fine * (r.levels - 1);
   return true;
 }
 
@@ -325,6 +304,7 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
     r.pairs_given = true;
   } else {
     r.family = family_of(recipe);
+    r.was_multigrid = is_multigrid(recipe, *r.family);
   }
   const int8_t angle = slot_named(*r.family, "angle"), scale = slot_named(*r.family, "scale");
   r.first_angle = angle < 0 ? 0 : recipe.stage[0].number[angle];

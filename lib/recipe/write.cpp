@@ -112,6 +112,19 @@ static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver)
   put_word(w, f.solver_names, solver == f.solvers[0] ? 0 : 1);
 }
 
+// The stages of a coarse-to-fine run, as the words that lay them.
+static void put_multigrid(Writer& w, const Family& f, const Recipe& recipe) {
+  put_numbers(w, f, recipe.stage[0].number);
+  put_key(w, "solver");
+  put(w, kMultigrid);
+  put_key(w, "levels");
+  put_integer(w, recipe.stages);
+  put_key(w, "fine");
+  put_integer(w, recipe.stage[1].steps);
+  put_key(w, "steps");
+  put_integer(w, total_steps(recipe));
+}
+
 static void put_stage(Writer& w, const Family& f, const Stage& stage) {
   put_numbers(w, f, stage.number);
   put_solver(w, f, stage.solver);
@@ -178,10 +191,12 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   recipe::Writer w = {text, size, 0};
   const Family* family = recipe::family_of(recipe);
   recipe::put(w, family->name);
-  recipe::put_stage(w, *family, recipe.stage[0]);
+  const bool multigrid = recipe::is_multigrid(recipe, *family);
+  if (multigrid) recipe::put_multigrid(w, *family, recipe);
+  else recipe::put_stage(w, *family, recipe.stage[0]);
   recipe::put_start(w, recipe.start);
   recipe::put_paint(w, recipe.paint);
-  for (uint8_t i = 1; i < recipe.stages; ++i) {
+  for (uint8_t i = 1; i < recipe.stages && !multigrid; ++i) {
     recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");
     recipe::put_stage(w, *family, recipe.stage[i]);
   }

@@ -124,7 +124,9 @@ static void tell_impossible(Text& out, const Trouble& trouble) {
   if (dapple::recipe::equal(trouble.word, "carry")) out << "a recipe has at most " << dapple::kMaxStages << " stages";
   else if (dapple::recipe::equal(trouble.word, "refine"))
     out << "'then refine' needs a stage of level 1 to 3 before it, and there are at most " << dapple::kMaxStages << " stages";
-  else out << "fine=F needs levels=L, and the steps must be more than F (L - 1)";
+  else if (dapple::recipe::equal(trouble.word, "binary"))
+    out << "solver=binary is a family of its own, of one bit a cell: begin the recipe with bits";
+  else out << "fine=F needs levels=L or solver=multigrid, and the steps must be more than F (L - 1)";
 }
 
 void tell_trouble(Text& out, const char* whole, const Trouble& trouble) {
