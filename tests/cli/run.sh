@@ -53,6 +53,15 @@ assert 0 < i["wavelength"] < 64 and i["smallest_width"] <= 64 and i["multiple"] 
 assert open(sys.argv[2]).readline() == i["recipe"] + "\n"' "$folder/info.json" "$folder/info"
   check "info: changes" grep -q 'steps=40 ' <(run info zebra steps=40)
   check "info: levels" grep -qE '^multiple of +4 ' <(run info zebra levels=3)
+  run info zebra scale=4 solver=multigrid > "$folder/info.grids"
+  check "info: the word of the stages" grep -q ' solver=multigrid levels=3 fine=6 steps=32 ' "$folder/info.grids"
+  equal "info: cost by solver" "$(sed -n '/^cost by solver/,$s/^  \([a-z]*\) .* rows, [0-9]* cell updates$/\1/p' "$folder/info.grids" | tr '\n' ' ')" \
+    "euler gaussian multigrid "
+  equal "info: the rows of its own solver" "$(awk '/^  multigrid/ { print $2 }' "$folder/info.grids")" \
+    "$(awk '/^rows of work/ { print $4 }' "$folder/info.grids")"
+  equal "info: no multigrid where sides do not halve" "$(run info zebra --size 97 | grep -c '^  multigrid')" 0
+  equal "info: one solver, no comparison" "$(run info mitosis | grep -c 'cost by')" 0
+  check "info: no steps" run info zebra steps=0
   check "info: --threads" grep -qE '^memory ' "$folder/info"
 }
 
@@ -254,6 +263,9 @@ test_recipe_errors() {
   refused 2 "'pairs=6'" "1 to 5" -- info zebra pairs=6
   refused 2 "'scale=x'" "column 7" "'x' is not a number" -- grow zebra scale=x
   refused 2 "'scale='" "column 7" missing -- grow zebra scale=
+  refused 2 "'solver=binary'" "column 8" bits masks= -- grow zebra solver=binary
+  refused 2 "'solver=fast'" "column 8" "gaussian|euler|multigrid" -- grow zebra solver=fast
+  refused 2 "'roughness=2,1'" "0 to 1" -- grow zebra roughness=2,1
   refused 2 "'react=sum'" "column 7" "md|da" -- grow zebra react=sum
   refused 2 "column 19" "'garbage' is not key=value" -- grow 'threshold steps=5 garbage'
   refused 2 "column 28" "'x' is not key=value" -- grow 'threshold pairs=2 rho=0.02 x'
