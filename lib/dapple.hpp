@@ -14,6 +14,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "evolve/field.hpp"
+#include "evolve/work.hpp"
+#include "paint/mip.hpp"
 #include "recipe/presets.hpp"
 
 namespace dapple {

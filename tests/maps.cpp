@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "grow.hpp"
-#include "paint/mip.hpp"
 
 using dapple::Brush;
 using dapple::Mip;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "evolve/work.hpp"
 #include "grow.hpp"
 
 namespace {

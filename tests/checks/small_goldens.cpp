@@ -9,7 +9,6 @@
 #include <string>
 
 #include "../grow.hpp"
-#include "paint/mip.hpp"
 
 namespace {
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "dapple.hpp"
-#include "evolve/work.hpp"
 #include "recipe/list.hpp"
 
 namespace {

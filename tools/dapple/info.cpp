@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "commands.hpp"
-#include "evolve/work.hpp"
 #include "recipes.hpp"
 
 namespace cli {

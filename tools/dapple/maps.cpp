@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "errors.hpp"
-#include "paint/mip.hpp"
 
 namespace cli {
 
