@@ -1,5 +1,5 @@
-// Row kernels for the DSP instructions of Cortex-M4, M7 and M33: two cells in a register (SIMD32). Words are loaded from
-// addresses of any alignment, which these cores allow.
+// Row kernels for the DSP instructions of Cortex-M4, M7 and M33: two cells in a register (SIMD32). Words are loaded
+// from addresses of any alignment, which these cores allow.
 // SPDX-License-Identifier: MIT
 #include <arm_acle.h>
 #include "kernels.hpp"
@@ -23,9 +23,7 @@ static int32_t first_of(Cells cells) { return static_cast<i16>(cells); }
 static int32_t second_of(Cells cells) { return cells >> 16; }
 
 // mulhi(a, b), and mulhi(a + k, w) where the sum may take more than 16 bits; kw = k w.
-static Cells mulhi(Cells a, Cells b) {
-  return upper_halves(first_of(a) * first_of(b), second_of(a) * second_of(b));
-}
+static Cells mulhi(Cells a, Cells b) { return upper_halves(first_of(a) * first_of(b), second_of(a) * second_of(b)); }
 static Cells mulhi_of_sum(Cells a, int32_t w, int32_t kw) {
   return upper_halves(__smlabb(a, w, kw), __smlatb(a, w, kw));
 }
@@ -80,8 +78,8 @@ struct Dsp {
     }
   };
 
-  // stencil::five_row: mulhi(l + r - 2c + k, w) + mulhi(u + d - 2c + k, w). The arguments wrap where those of the portable
-  // kernel do, hence k by an addition of its own.
+  // stencil::five_row: mulhi(l + r - 2c + k, w) + mulhi(u + d - 2c + k, w). The arguments wrap where those of the
+  // portable kernel do, hence k by an addition of its own.
   struct Five {
     int32_t weight;
     Cells rounding;
@@ -98,7 +96,9 @@ struct Dsp {
     int32_t feed, drain, drain_product;
     Cells one;
     Kinetics(i16 f, i16 f_rounding, i16 d, i16 d_rounding)
-        : feed(f), drain(d), drain_product(static_cast<int32_t>(d) * d_rounding),
+        : feed(f),
+          drain(d),
+          drain_product(static_cast<int32_t>(d) * d_rounding),
           one(both(static_cast<i16>(gray_scott::kOne + f_rounding))) {}
     Cells eaten(Cells u, Cells v) const {
       const Cells twice = __sadd16(v, v), more = __sadd16(mulhi(twice, twice), both(1));
@@ -113,11 +113,9 @@ struct Dsp {
   };
 };
 
-const grid::KernelSwap kernels[] = {{stencil::pass_row, packed::pass_row<Dsp>},
-                                     {stencil::chain_row, packed::chain_row<Dsp>},
-                                     {threshold::impulse_row, packed::impulse_row<Dsp>},
-                                     {stencil::five_row, packed::five_row<Dsp>},
-                                     {gray_scott::react_row, packed::gray_scott_row<Dsp>},
-                                     {nullptr, nullptr}};
+const grid::KernelSwap kernels[] = {
+    {stencil::pass_row, packed::pass_row<Dsp>},           {stencil::chain_row, packed::chain_row<Dsp>},
+    {threshold::impulse_row, packed::impulse_row<Dsp>},   {stencil::five_row, packed::five_row<Dsp>},
+    {gray_scott::react_row, packed::gray_scott_row<Dsp>}, {nullptr, nullptr}};
 
 }  // namespace dapple::dsp

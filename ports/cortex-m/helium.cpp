@@ -24,7 +24,7 @@ struct Helium {
   static void store(i16* to, Cells cells) { vstrhq_s16(to, cells); }
   static void store(i16* to, Cells cells, Part part) { vstrhq_p_s16(to, cells, part); }
 
-  // (l + r + 2c + k) >> 2 == ((l + r + k) >> 1) + c) >> 1. k = 1 rounds the first half up; k = 2 adds one to it, which
+  // (l + r + 2c + k) >> 2 == (((l + r + k) >> 1) + c) >> 1. k = 1 rounds the first half up; k = 2 adds one to it, which
   // rounds the second half up.
   struct Quarter1 {
     Cells operator()(Cells l, Cells c, Cells r) const { return vhaddq_s16(vrhaddq_s16(l, r), c); }
@@ -43,8 +43,8 @@ struct Helium {
     }
   };
 
-  // threshold::impulse_row: c - mulhi(c + 1, D) + amount. (c + 1) D is never a multiple of 2^16 for c in 0..16000, because
-  // D = 2 * 12893; hence c - floor((c + 1) D / 2^16) == (c + 1) + floor(-(c + 1) D / 2^16).
+  // threshold::impulse_row: c - mulhi(c + 1, D) + amount. (c + 1) D is never a multiple of 2^16 for c in 0..16000,
+  // because D = 2 * 12893; hence c - floor((c + 1) D / 2^16) == (c + 1) + floor(-(c + 1) D / 2^16).
   struct Impulse {
     i16 rho;
     Cells amount;
@@ -74,7 +74,9 @@ struct Helium {
     i16 feed, drain, drain_rounding;
     Cells one;
     Kinetics(i16 f, i16 f_rounding, i16 d, i16 d_rounding)
-        : feed(half(f)), drain(half(d)), drain_rounding(d_rounding),
+        : feed(half(f)),
+          drain(half(d)),
+          drain_rounding(d_rounding),
           one(vdupq_n_s16(static_cast<i16>(gray_scott::kOne + f_rounding))) {}
     Cells eaten(Cells u, Cells v) const {
       const Cells q = vqdmulhq_s16(vaddq_s16(v, v), v);
@@ -90,11 +92,9 @@ struct Helium {
   };
 };
 
-const grid::KernelSwap kernels[] = {{stencil::pass_row, packed::pass_row<Helium>},
-                                     {stencil::chain_row, packed::chain_row<Helium>},
-                                     {threshold::impulse_row, packed::impulse_row<Helium>},
-                                     {stencil::five_row, packed::five_row<Helium>},
-                                     {gray_scott::react_row, packed::gray_scott_row<Helium>},
-                                     {nullptr, nullptr}};
+const grid::KernelSwap kernels[] = {
+    {stencil::pass_row, packed::pass_row<Helium>},           {stencil::chain_row, packed::chain_row<Helium>},
+    {threshold::impulse_row, packed::impulse_row<Helium>},   {stencil::five_row, packed::five_row<Helium>},
+    {gray_scott::react_row, packed::gray_scott_row<Helium>}, {nullptr, nullptr}};
 
 }  // namespace dapple::helium

@@ -1,5 +1,5 @@
-// The self-test on a Cortex-M. POOL: bytes of memory for textures. SELFTEST_KERNELS: one of the lists of kernels.hpp, which
-// is compared with the portable kernels row by row, and then grows the textures.
+// The self-test on a Cortex-M. POOL: bytes of memory for textures. SELFTEST_KERNELS: one of the lists of kernels.hpp; it is
+// compared with the portable kernels row by row, and then grows the textures.
 // SPDX-License-Identifier: MIT
 #include "kernels.hpp"
 #include "rows.hpp"
@@ -22,7 +22,7 @@ static void put(const char* text) {
   while (*text != 0) host_put(*text++);
 }
 
-static void put_remark(const char* before, uint32_t number, const char* after) {
+static void say(const char* before, uint32_t number, const char* after) {
   put(before);
   put_number(number);
   put(after);
@@ -33,10 +33,18 @@ static const dapple::grid::KernelSwap* const kernels = SELFTEST_KERNELS;
 
 static bool rows_equal() {
   static_assert(sizeof memory >= kRowsMemory, "POOL is too small for rows");
-  const RowsCompared rows = compare_rows(kernels, memory);
-  if (rows.different > 0) put_remark("", rows.different, " rows of fast kernels differ\n");
-  put_remark("# ", rows.equal, " rows of fast kernels equal\n");
-  return rows.different == 0;
+  uint32_t equal = 0;
+  bool all = true;
+  for (const dapple::grid::KernelSwap* swap = kernels; swap->portable != nullptr; ++swap) {
+    const RowsCompared rows = compare_rows(*swap, memory);
+    equal += rows.equal;
+    if (rows.different == 0) continue;
+    all = false;
+    say("kernel ", static_cast<uint32_t>(swap - kernels), " of the list differs on ");
+    say("", rows.different, " rows\n");
+  }
+  say("# ", equal, " rows of fast kernels equal\n");
+  return all;
 }
 #else
 static const dapple::grid::KernelSwap* const kernels = nullptr;
@@ -47,8 +55,8 @@ static bool rows_equal() { return true; }
 extern "C" int main() {
   const bool equal = rows_equal();
   selftest(host_put, sizeof memory, memory, kernels);
-  put_remark("# stack ", stack_used(), " bytes\n");
+  say("# stack ", stack_used(), " bytes\n");
   // A stack used to its last word may have run into the textures.
-  const bool shallow = stack_used() < reinterpret_cast<uintptr_t>(&stack_top) - reinterpret_cast<uintptr_t>(&stack_floor);
-  return equal && shallow ? 0 : 1;
+  const uintptr_t room = reinterpret_cast<uintptr_t>(&stack_top) - reinterpret_cast<uintptr_t>(&stack_floor);
+  return equal && stack_used() < room ? 0 : 1;
 }

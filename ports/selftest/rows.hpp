@@ -7,9 +7,9 @@ struct RowsCompared {
   uint32_t equal, different;
 };
 
-// Every kernel of the list on rows of 1 to 130 cells at every offset from 0 to 7 cells: random values within the kernel's
-// bounds, one cell in four at a bound, with random numbers within the range of recipes. A row counts as different too when
-// what lies around it was written to, or when the list has a kernel that this test does not know.
-// memory: 12 KB, aligned to four bytes.
-constexpr size_t kRowsMemory = 12288;
-RowsCompared compare_rows(const dapple::grid::KernelSwap* kernels, void* memory);
+// The two kernels on rows of 1 to 130 cells at every offset from 0 to 7 cells: random values within the kernel's
+// bounds, one cell in four at a bound, with random numbers within the range of recipes. A row is different too when
+// what lies around it was written to otherwise. A kernel that this test does not know counts as one different row.
+// memory: kRowsMemory bytes, aligned to four.
+constexpr size_t kRowsMemory = 6144;
+RowsCompared compare_rows(const dapple::grid::KernelSwap& swap, void* memory);

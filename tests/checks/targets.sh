@@ -147,7 +147,7 @@ run_target() {
   if ! "$@" > "$out/log" 2>&1 < /dev/null; then
     verdict="does not build or run: $(cat "$out/log" "$out/said" 2> /dev/null | tail -4)"
   elif verdict=$(compare "$out/said" "$lines" "$golden"); then
-    verdict="$((SECONDS - start)) s$(flash_of "$1" "$out/program")$(sed -n 's/^# /, /p' "$out/said")"
+    verdict="$((SECONDS - start)) s$(flash_of "$1" "$out/program")$(sed -n 's/^# /, /p' "$out/said" | tr -d '\n')"
     echo "$name: $lines textures equal ($verdict)" > "$out/good"
     return
   fi
