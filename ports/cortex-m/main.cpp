@@ -1,5 +1,5 @@
-// The self-test on a Cortex-M. POOL: bytes of memory for textures. SELFTEST_KERNELS: one of the lists of kernels.hpp; it
-// is compared with the portable kernels row by row, and then grows the textures.
+// The self-test on a Cortex-M. POOL: bytes of memory for textures. SELFTEST_KERNELS: a list of kernels.hpp; it is
+// compared with the portable kernels row by row, and then grows the textures.
 // SPDX-License-Identifier: MIT
 #include "kernels.hpp"
 #include "rows.hpp"

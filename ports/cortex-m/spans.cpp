@@ -1,7 +1,7 @@
 // What row kernels take: calls mark() before and after each of them, for a tool that counts the instructions from one
 // call of mark() to the next. Three spans each: the portable kernel, the fast one of SELFTEST_KERNELS, and what lies
-// between. Every kernel on a row of 128 cells (passes with the roundings 1 and 2 and with another weight), then tiles of
-// 64x64.
+// between. Every kernel on a row of 128 cells (passes with the roundings 1 and 2 and with another weight), then tiles
+// of 64x64.
 // SPDX-License-Identifier: MIT
 #include "dapple.hpp"
 #include "kernels.hpp"
