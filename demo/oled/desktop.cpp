@@ -1,5 +1,5 @@
-// The scenes of the OLED show on the desktop: the last frame of each as FOLDER/scene-N.ppm, as the emulator's window shows
-// the panel: every pixel four times as wide and high, grey n as 17 n. Says how many of the 16 greys each has.
+// The scenes of the OLED show on the desktop: the frame that stands for each as FOLDER/scene-N.ppm, as the emulator's
+// window shows the panel: every pixel four times as wide and high, grey n as 17 n. Says how many greys each has.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <string>
@@ -17,13 +17,15 @@ std::vector<uint8_t> greys_of(const oled::Show& show) {
   for (uint16_t y = 0; y < oled::kHeight; ++y) {
     uint8_t line[oled::kLineBytes];
     show.line(y, line);
-    for (const uint8_t two : line) greys.insert(greys.end(), {static_cast<uint8_t>(two >> 4), static_cast<uint8_t>(two & 15)});
+    for (const uint8_t two : line)
+      greys.insert(greys.end(), {static_cast<uint8_t>(two >> 4), static_cast<uint8_t>(two & 15)});
   }
   return greys;
 }
 
 bool write_picture(const std::string& path, const std::vector<uint8_t>& greys) {
-  std::string text = "P6\n" + std::to_string(kLarger * oled::kWidth) + " " + std::to_string(kLarger * oled::kHeight) + "\n255\n";
+  std::string text =
+      "P6\n" + std::to_string(kLarger * oled::kWidth) + " " + std::to_string(kLarger * oled::kHeight) + "\n255\n";
   for (int y = 0; y < kLarger * oled::kHeight; ++y)
     for (int x = 0; x < kLarger * oled::kWidth; ++x) {
       const size_t pixel = static_cast<size_t>(y / kLarger) * oled::kWidth + static_cast<size_t>(x / kLarger);
@@ -48,7 +50,9 @@ int count_of_kinds(const std::vector<uint8_t>& greys) {
 
 int main(int count, char** words) {
   if (count != 2 || words[1][0] == '-') {
-    std::fprintf(stderr, "usage: dapple_oled FOLDER\nWrites the last frame of every scene of demo/oled as FOLDER/scene-N.ppm.\n");
+    std::fprintf(stderr,
+                 "usage: dapple_oled FOLDER\n"
+                 "Writes a frame of every scene of demo/oled as FOLDER/scene-N.ppm.\n");
     return count == 2 && std::string(words[1]) == "--help" ? 0 : 2;
   }
   std::vector<uint8_t> memory(oled::kBytes);
@@ -59,7 +63,7 @@ int main(int count, char** words) {
       std::fprintf(stderr, "dapple_oled: scene %d is refused\n", scene + 1);
       return 1;
     }
-    for (uint16_t frame = 0; frame < show.frames(); ++frame) show.advance();
+    for (uint16_t frame = 0; frame < show.still(); ++frame) show.advance();
     const std::vector<uint8_t> greys = greys_of(show);
     if (!write_picture(path, greys)) {
       std::fprintf(stderr, "dapple_oled: cannot write %s\n", path.c_str());

@@ -1,6 +1,6 @@
 // Firmware for the board lm3s6965evb: the scenes of scenes.hpp on its panel, 25 frames a second, for ever. Started with
-// the command line "stills" (QEMU: -semihosting-config arg=stills) it does not wait between frames, stops at the last frame
-// of every scene, says so, and goes on when it is sent a character.
+// the command line "stills" (QEMU: -semihosting-config arg=stills) it does not wait between frames, stops at one frame
+// of every scene, says so, and goes on to the next when it is sent a character.
 // SPDX-License-Identifier: MIT
 #include "panel.hpp"
 #include "scenes.hpp"
@@ -95,8 +95,8 @@ static void draw() {
 
 static void wait_for_host(uint8_t scene, const Meter& growing, const Meter& drawing) {
   put("scene ", scene + 1u);
-  growing.tell(" shown: growing ", show.frames());
-  drawing.tell("; drawing ", show.frames());
+  growing.tell(" shown: growing ", show.still());
+  drawing.tell("; drawing ", show.still());
   put("; stack ", stack_used());
   put("\n");
   const uint32_t read_character = 0x07;
@@ -105,7 +105,8 @@ static void wait_for_host(uint8_t scene, const Meter& growing, const Meter& draw
 
 static void play(uint8_t scene, bool stills) {
   Meter growing, drawing;
-  for (uint16_t frame = 0; frame < show.frames(); ++frame) {
+  const uint16_t frames = stills ? show.still() : show.frames();
+  for (uint16_t frame = 0; frame < frames; ++frame) {
     growing.begin();
     show.advance();
     growing.end();
@@ -121,8 +122,10 @@ extern "C" int main() {
   const bool stills = asked_for_stills();
   panel::begin();
   systick::begin(stills ? systick::kLongest : systick::kFrame);
-  for (uint8_t scene = 0; show.begin(scene, memory) == dapple::ok; scene = static_cast<uint8_t>((scene + 1) % oled::kScenes))
+  for (uint8_t scene = 0; show.begin(scene, memory) == dapple::ok;) {
     play(scene, stills);
+    scene = scene + 1 < oled::kScenes ? static_cast<uint8_t>(scene + 1) : 0;
+  }
   put("scene refused\n");
   return 1;
 }

@@ -1,4 +1,4 @@
-// See panel.hpp. Registers: data sheet of the LM3S6965 (system control, GPIO, SSI); commands: data sheet of the SSD0323.
+// See panel.hpp. Registers: the LM3S6965's data sheet (system control, GPIO, SSI); commands: the SSD0323's.
 // SPDX-License-Identifier: MIT
 #include "panel.hpp"
 

@@ -7,9 +7,9 @@ namespace oled {
 using dapple::chunk_at;
 
 constexpr uint32_t kSeed = 1337;
-constexpr uint32_t kSlice = 240;               // rows of work on the plane in a frame
-constexpr uint16_t kGrowing = 75;              // frames a tile grows
-constexpr int32_t kLeft = -100, kTop = -40;    // where the camera begins; its way leads over the origin
+constexpr uint32_t kSlice = 240;             // rows of work on the plane in a frame
+constexpr uint16_t kGrowing = 75;            // frames a tile grows
+constexpr int32_t kLeft = -100, kTop = -40;  // where the camera begins; its way leads over the origin
 
 // Two columns to the right for every row down.
 static int32_t across(uint16_t moves) { return moves; }
@@ -65,7 +65,7 @@ void Show::line_of_plane(int32_t y, uint8_t* grey) const {
   }
 }
 
-// Eight bits to four, rounded: grey n of the panel is 17 n. (Dithered, the pixels are large enough to be seen as grain.)
+// Eight bits to four, rounded: grey n of the panel is 17 n. Dither would be seen as grain.
 static void pack(const uint8_t* grey, uint8_t* out) {
   for (uint16_t i = 0; i < kLineBytes; ++i, grey += 2)
     out[i] = static_cast<uint8_t>((grey[0] + 8) / 17 * 16 + (grey[1] + 8) / 17);

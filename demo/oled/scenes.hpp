@@ -43,7 +43,8 @@ class Show {
  public:
   // Readies a scene, 0 .. kScenes - 1. memory: kBytes of any alignment, to outlive the scene.
   dapple::Status begin(uint8_t scene, uint8_t* memory);
-  uint16_t frames() const { return scene_ == 0 ? 300 : 225; }
+  uint16_t frames() const { return scene_ == 0 ? 500 : 325; }
+  uint16_t still() const { return scene_ == 0 ? 200 : 150; }  // frames until the one that stands for the scene
 
   // Works for one frame.
   void advance();
@@ -62,7 +63,7 @@ class Show {
   uint8_t* pixels_ = nullptr;  // of the tile, a byte each
   uint16_t moves_ = 0;         // of the camera over the plane or the tile
   uint8_t scene_ = 0;
-  bool grown_ = false;         // the tile is
+  bool grown_ = false;  // the tile is
 };
 
 }  // namespace oled
