@@ -6,6 +6,7 @@
 
 // Old C libraries hide these from C++ unless asked before the first inclusion of <stdint.h>.
 #ifndef INT32_MAX
+#define INT16_MAX 32767
 #define UINT16_MAX 65535U
 #define INT32_MAX 2147483647L
 #define INT32_MIN (-INT32_MAX - 1)
@@ -33,6 +34,13 @@
 
 // Row kernels promise that their rows do not overlap.
 #define DAPPLE_RESTRICT __restrict
+
+// Functions whose arguments the compiler has to see, whatever it is asked to optimise for.
+#if defined(__GNUC__)
+#define DAPPLE_INLINE __attribute__((always_inline)) inline
+#else
+#define DAPPLE_INLINE inline
+#endif
 
 // Keeps a function's locals out of its caller's frame, where a deep call follows: the stack of firmware is short.
 #if defined(__GNUC__)
@@ -73,6 +81,24 @@ inline void copy_bytes(void* to, const void* from, size_t count) {
   uint8_t* DAPPLE_RESTRICT t = static_cast<uint8_t*>(to);
   const uint8_t* DAPPLE_RESTRICT f = static_cast<const uint8_t*>(from);
   for (size_t i = 0; i < count; ++i) t[i] = f[i];
+#endif
+}
+
+// Has x made here and now. Compilers for machines with few registers are tempted to make the parts of a long sum all at once.
+template <class W> DAPPLE_INLINE void in_order([[maybe_unused]] W& x) {
+#if defined(__GNUC__)
+  __asm__ volatile("" : "+r"(x));
+#endif
+}
+
+// low + 256 high.
+DAPPLE_INLINE uint16_t join(uint8_t low, uint8_t high) {
+#if defined(__AVR__)
+  uint16_t both;
+  __asm__("mov %A0, %1\n\tmov %B0, %2" : "=&r"(both) : "r"(low), "r"(high));
+  return both;
+#else
+  return static_cast<uint16_t>(low | (high << 8));
 #endif
 }
 

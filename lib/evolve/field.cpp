@@ -2,6 +2,7 @@
 // bilinearly, twofold at a time; one that is still on its way to the finest grid is shown cell by cell.
 // SPDX-License-Identifier: MIT
 #include "field.hpp"
+#include "enlarge.hpp"
 
 namespace dapple::evolve {
 
@@ -150,25 +151,9 @@ DAPPLE_APART static const int16_t* coarse_row(const Run& run, const Work& w, int
   return make_coarse(run, w, y, first, static_cast<uint16_t>(last - first + 1), out);
 }
 
-// Twofold: cell X of the finer grid is 3/4 of the cell it lies in and 1/4 of the one beside it, in either direction.
-// The first of `count` cells is the half `odd` of cell 0. Values within +-8000: every sum fits int16.
 DAPPLE_APART static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uint8_t odd, uint16_t count) {
-  const auto mixed = [&](int32_t x) { return static_cast<int16_t>((3 * near[x] + other[x] + 2) >> 2); };
-  int32_t x = 0;
-  int16_t before = mixed(-1), here = mixed(0), after = mixed(1);
-  for (uint16_t i = 0; i < count; ++i) {
-    out[i] = static_cast<int16_t>((3 * here + (odd ? after : before) + 2) >> 2);
-    if (odd) {
-      ++x;
-      before = here;
-      here = after;
-      after = mixed(x + 1);
-    }
-    odd ^= 1;
-  }
+  enlarged(near, other, odd, count, [&](uint16_t i, int16_t value) { out[i] = value; });
 }
-
-static int32_t beside(uint32_t y) { return (y & 1) != 0 ? 1 : -1; }
 
 // Two middle rows of a fourfold enlargement: the one row `y` (finest grid) lies in, and the one beside it.
 DAPPLE_APART static void fourfold(const Run& run, const Work& w, uint16_t y, int16_t* out) {

@@ -83,6 +83,12 @@ struct Source {
   int32_t world_x, world_y;  // of pixel (0, y), for grain and dither
 };
 
+// A ramp from one stop to the next.
+struct Stretch {
+  uint8_t at, base[3];
+  int16_t step[3];  // per 1/256 of the ramp, Q7
+};
+
 // A Paint made ready for one field: everything that does not change from pixel to pixel.
 struct Shader {
   int32_t low, span;         // field units; span >= 1
@@ -93,11 +99,9 @@ struct Shader {
   View view;
   bool y_down;
   uint8_t stops;
-  uint8_t at[kMaxStops];
-  uint8_t base[kMaxStops][3];
-  int16_t step[kMaxStops][3];  // per 1/256 of the ramp, Q7
+  Stretch stretch[kMaxStops];
 };
-Shader shader_of(const Paint& paint, const Brush& brush, int16_t unit, int16_t cell_level, uint32_t seed);
+constexpr Shader shader_of(const Paint& paint, const Brush& brush, int16_t unit, int16_t cell_level, uint32_t seed);
 
 // Paints pixels [x, x + count) into rgb[3 * count].
 void shade(const Shader& shader, const Source& source, uint16_t x, uint8_t count, uint8_t* rgb);
@@ -109,3 +113,5 @@ void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row);
 
 }  // namespace dapple::paint
+
+#include "pixel.hpp"

@@ -43,6 +43,7 @@ struct Host {
   void (*put)(char);
   size_t bytes;
   void* memory;
+  dapple::Options options;
 };
 
 void print(const Host& host, const char* text) {
@@ -131,7 +132,7 @@ void finish(const Host& host, Texture& texture, dapple::Status status, const cha
 // source: a Preset or a Fixed
 [[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const Preset& preset, const Domain& d,
                                       uint32_t seed) {
-  return texture.begin(preset, d, seed, host.memory, host.bytes);
+  return texture.begin(preset, d, seed, host.memory, host.bytes, host.options);
 }
 [[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const dapple::Fixed& fixed, const Domain&,
                                       uint32_t seed) {
@@ -179,8 +180,8 @@ void stored_tile(const Host& host, const char* name) {
 
 }  // namespace
 
-void selftest(void (*put)(char), size_t memory_bytes, void* memory) {
-  const Host host{put, memory_bytes, memory};
+void selftest(void (*put)(char), size_t memory_bytes, void* memory, const dapple::grid::KernelSwap* kernels) {
+  const Host host{put, memory_bytes, memory, {1, kernels}};
   tile<cell_program, 64, 64>(host, "cell-program");
   stored_tile<presets::zebra_bits, 1>(host, "zebra-bits/stored");
   stored_tile<presets::weave_bits, 2>(host, "weave-bits/stored");

@@ -40,9 +40,11 @@ m68k            27 on_linux m68k-linux-gnu-g++ qemu-m68k-static
 cortex-m0       16 on_cortex_m microbit 0 256K 0x20000000 16K 10400 -DSELFTEST_FIXED -mcpu=cortex-m0
 cortex-m3       27 on_cortex_m mps2-an385 0 4M 0x20000000 4M 524288 -mcpu=cortex-m3
 cortex-m4       27 on_cortex_m mps2-an386 0 4M 0x20000000 4M 524288 -mcpu=cortex-m4 -mfloat-abi=soft
+cortex-m4-dsp   27 with dsp on_cortex_m mps2-an386 0 4M 0x20000000 4M 524288 -mcpu=cortex-m4 -mfloat-abi=soft
 cortex-m7       27 on_cortex_m mps2-an500 0 4M 0x20000000 4M 524288 -mcpu=cortex-m7 -mfloat-abi=soft
 cortex-m33      27 on_cortex_m mps2-an505 0x10000000 4M 0x38000000 2M 524288 -mcpu=cortex-m33 -mfloat-abi=soft
 cortex-m55      27 on_cortex_m mps3-an547 0 512K 0x20000000 512K 393216 -mcpu=cortex-m55 -mfloat-abi=hard
+cortex-m55-helium 27 with helium on_cortex_m mps3-an547 0 512K 0x20000000 512K 393216 -mcpu=cortex-m55 -mfloat-abi=hard
 rv32imc         27 on_riscv 32 -march=rv32imc -mabi=ilp32
 rv64imac        27 on_riscv 64 -march=rv64imac -mabi=lp64
 atmega1284p     16 on_avr 10400
@@ -68,6 +70,14 @@ compile() {
   for file; do "${command[@]}" -c "$root/$file" -o "$out/$(basename "$file").o" || return 1; done
 }
 
+# with NAME HOW ARGUMENTS...: the textures grow by the row kernels of ports/cortex-m/NAME.cpp, which are first
+# compared with the portable ones.
+with() {
+  local kernels="ports/cortex-m/$1.cpp ports/selftest/rows.cpp" list="-DSELFTEST_KERNELS=dapple::$1::kernels"
+  shift
+  "$@" "$list"
+}
+
 on_cortex_m() {
   local board=$1 places="rom=$2,--defsym=rom_size=$3,--defsym=ram=$4,--defsym=ram_size=$5" pool=$6
   shift 6
@@ -75,7 +85,7 @@ on_cortex_m() {
   # shellcheck disable=SC2086
   compile arm-none-eabi-gcc $cpu $bare_c -fno-tree-loop-distribute-patterns -- \
       ports/cortex-m/start.c ports/bare/memory.c &&
-    compile arm-none-eabi-g++ $cpu $plain $bare -DPOOL="$pool" -- ports/cortex-m/main.cpp $shared &&
+    compile arm-none-eabi-g++ $cpu $plain $bare -DPOOL="$pool" -- ports/cortex-m/main.cpp ${kernels:-} $shared &&
     arm-none-eabi-gcc $cpu -nostdlib -nostartfiles -Wl,--gc-sections "-Wl,--defsym=$places" \
       -T "$root/ports/cortex-m/board.ld" "$out"/*.o -lgcc -o "$out/program" || return 1
   timeout $patience qemu-system-arm -M "$board" -display none -monitor none -serial none \
@@ -137,7 +147,7 @@ run_target() {
   if ! "$@" > "$out/log" 2>&1 < /dev/null; then
     verdict="does not build or run: $(cat "$out/log" "$out/said" 2> /dev/null | tail -4)"
   elif verdict=$(compare "$out/said" "$lines" "$golden"); then
-    verdict="$((SECONDS - start)) s$(flash_of "$1" "$out/program")$(sed -n 's/^# /, /p' "$out/said")"
+    verdict="$((SECONDS - start)) s$(flash_of "$1" "$out/program")$(sed -n 's/^# /, /p' "$out/said" | tr -d '\n')"
     echo "$name: $lines textures equal ($verdict)" > "$out/good"
     return
   fi
