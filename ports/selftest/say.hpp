@@ -52,17 +52,24 @@ template <class Grown> DAPPLE_APART uint64_t hash_of_field(Grown& texture, uint1
   return hash;
 }
 
-inline void tell(Put put, const char* name, const char* kind, uint16_t width, uint16_t height, uint32_t seed, uint64_t hash) {
-  print(put, name);
-  print(put, kind);
+// One line. By reference: clang 16 looks for arguments on the stack of an ATmega2560 a byte beside where they are.
+struct Line {
+  const char *name, *kind;
+  uint16_t width, height;
+  uint32_t seed;
+  uint64_t hash;
+};
+inline void tell(Put put, const Line& line) {
+  print(put, line.name);
+  print(put, line.kind);
   put(' ');
-  print_number(put, width);
+  print_number(put, line.width);
   put('x');
-  print_number(put, height);
+  print_number(put, line.height);
   put(' ');
-  print_number(put, seed);
+  print_number(put, line.seed);
   put(' ');
-  print_hex(put, hash);
+  print_hex(put, line.hash);
   put('\n');
 }
 

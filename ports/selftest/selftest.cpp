@@ -69,8 +69,8 @@ void finish(const Host& host, Texture& texture, dapple::Status status, const cha
   bool flat = false;
   int16_t row[kWidest];
   const uint64_t hash = hash_of_field(texture, d.width, d.height, row, flat);
-  tell(host.put, name, flat ? " is flat" : "", d.width, d.height, seed, hash);
-  if (pixels) tell(host.put, name, "/rgb565", d.width, d.height, seed, hash_of_pixels(texture, d));
+  tell(host.put, {name, flat ? " is flat" : "", d.width, d.height, seed, hash});
+  if (pixels) tell(host.put, {name, "/rgb565", d.width, d.height, seed, hash_of_pixels(texture, d)});
 }
 
 // source: a Preset or a Fixed

@@ -29,14 +29,14 @@ template <class Tile> DAPPLE_APART void grow(Tile& tile, const char* name) {
   tile.begin(kSeed);
   tile.finish();
   const uint64_t field = hash_of_field(tile, 64, 64, row, flat);
-  tell(host_put, name, flat ? " is flat" : "", 64, 64, kSeed, field);
+  tell(host_put, {name, flat ? " is flat" : "", 64, 64, kSeed, field});
   uint8_t* const line = reinterpret_cast<uint8_t*>(row);
   uint64_t pixels = kFirstHash;
   for (uint16_t y = 0; y < 64; ++y) {
     tile.template paint<Pixels::rgb565_swapped>(y, line);
     for (uint8_t x = 0; x < 128; ++x) add_byte(pixels, line[x]);
   }
-  tell(host_put, name, "/rgb565", 64, 64, kSeed, pixels);
+  tell(host_put, {name, "/rgb565", 64, 64, kSeed, pixels});
 }
 
 }  // namespace

@@ -13,9 +13,8 @@ golden=$root/tests/golden/targets.txt
 patience=120  # seconds for one run
 watch=()
 options=
-files=(ports/selftest/selftest.cpp lib/one.cpp)
 
-# NAME LINES OPTIONS...: LINES is how many lines the memory there makes room for.
+# NAME LINES OPTIONS...: LINES is how many lines the memory there makes room for; small: the self-test for 2 KB of RAM.
 targets() {
   cat <<'LIST'
 native          27 -DPOOL=524288
@@ -36,6 +35,8 @@ cortex-m55      27 -DPOOL=393216
 cortex-m55-helium 27 -DPOOL=393216
 rv32imc         27 -DPOOL=524288
 rv64imac        27 -DPOOL=524288
+rv32ec           4 small
+atmega328p       4 small
 atmega1284p     16 -DPOOL=10400 -DSELFTEST_FIXED
 atmega2560       7 -DPOOL=2600 -DSELFTEST_FIXED
 lx106           26 -DPOOL=131072
@@ -44,7 +45,7 @@ LIST
 
 # grow NAME OPTIONS...: the self-test there; what it says is in $out/said. NAME-KERNELS: with that list of ports/cortex-m.
 grow() {
-  local name=$1 main kernels
+  local name=$1 main=ports/selftest/main.cpp kernels files=(ports/selftest/selftest.cpp lib/one.cpp)
   shift
   options=$*
   case $name in *-helium | *-dsp)
@@ -52,9 +53,9 @@ grow() {
     options+=" -DSELFTEST_KERNELS=dapple::$kernels::kernels"
     files+=("ports/cortex-m/$kernels.cpp" ports/selftest/rows.cpp) ;;
   esac
-  main=ports/$(port_of "$name")/main.cpp
-  [ -f "$root/$main" ] || main=ports/selftest/main.cpp
+  [ ! -f "$root/ports/$(port_of "$name")/main.cpp" ] || main=ports/$(port_of "$name")/main.cpp
   files+=("$main")
+  [ "$options" != small ] || options="" files=(ports/selftest/small.cpp)
   build_for "$name" && constants_are_low "$name" && run_on "$name"
 }
 
