@@ -144,7 +144,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
     need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
-    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps;
+    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps + (s.steps > 0 ? reach.once : 0u);
   }
   return parts;
 }
