@@ -116,6 +116,10 @@ constexpr Status check_window(const Domain& d, Need& need) {
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
   if (!good_stages(recipe)) return bad_recipe;
   if (bands < 1 || bands > kMaxBands) return bad_bands;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+  }
   need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
   smallest(recipe, need);
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
@@ -182,6 +186,13 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 }  // namespace api
+
+// Hands the directions of map=image to every stage of a recipe. begin looks at them, and answers bad_map where they are wanted and
+// missing, or of a size out of range.
+constexpr void set_map(Recipe& recipe, const DirectionImage& image) {
+  for (uint8_t i = 0; i < recipe.stages; ++i)
+    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &image;
+}
 
 // What `recipe` needs on `domain`: constexpr where the recipe is.
 constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {

@@ -140,6 +140,46 @@ TEST_CASE("mapped: windows of the plane are parts of each other, and the map has
   }
 }
 
+TEST_CASE("mapped: an image of one direction is a constant map, byte for byte; of a coarse one the cells between are interpolated") {
+  const dapple::Domain domain = dapple::torus(52, 44, 8, -12);
+  const char* numbers = " scale=1.5 stretch=3 pairs=2 rho=0.02 steps=4 ";
+  for (const char* solver : {"solver=flux", "solver=lean", "levels=2 fine=1"}) {
+    std::vector<int8_t> pairs;
+    for (int i = 0; i < 5 * 3; ++i) pairs.insert(pairs.end(), {127, 0});
+    const dapple::DirectionImage image = {pairs.data(), 5, 3};
+    dapple::Recipe mapped = tests::recipe_of((recipe_with("image", numbers) + solver).c_str());
+    set_map(mapped, image);
+    Grown have(mapped, domain, 4), want(tests::recipe_of((recipe_with("none", numbers) + solver).c_str()), domain, 4);
+    REQUIRE(have.status == dapple::ok);
+    CHECK(have.field() == want.field());
+  }
+  const int8_t two[] = {127, 0, 0, 127};  // 0 and 45 degrees: halfway lies 22.5 degrees, as long as either
+  stencil::DirectionMap map{};
+  map.kind = stencil::DirectionMap::image;
+  map.width = map.height = map.rows = 128;
+  map.picture = {two, 2, 1};
+  int16_t row[128];
+  stencil::map_row(map, 0, 77, 128, row);
+  CHECK((row[32] & 255) >= 126);
+  CHECK((row[96] >> 8) >= 126);
+  CHECK(std::abs((row[64] & 255) - 90) <= 2);
+  CHECK(std::abs((row[64] >> 8) - 90) <= 2);
+}
+
+TEST_CASE("mapped: begin refuses an image that is missing or of a wrong size") {
+  dapple::Recipe recipe = tests::recipe_of("mapped map=image");
+  const int8_t pair[2] = {127, 0};
+  const auto status = [&](const dapple::DirectionImage& image) {
+    set_map(recipe, image);
+    return dapple::need_for(recipe, dapple::torus(64, 64)).status;
+  };
+  CHECK(dapple::need_for(recipe, dapple::torus(64, 64)).status == dapple::bad_map);
+  CHECK(status({nullptr, 4, 4}) == dapple::bad_map);
+  CHECK(status({pair, 0, 4}) == dapple::bad_map);
+  CHECK(status({pair, 4, 257}) == dapple::bad_map);
+  CHECK(status({pair, 1, 1}) == dapple::ok);
+}
+
 TEST_CASE("mapped: maps differ, and are what their formulas say at a few places") {
   std::vector<std::vector<int16_t>> fields;
   for (const char* map : kMaps) {

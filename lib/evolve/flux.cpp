@@ -19,6 +19,7 @@ static stencil::DirectionMap::Kind kind_of(int32_t map) {
     case mapped::two_angle: return DirectionMap::two_angle;
     case mapped::swirl:
     case mapped::bends: return DirectionMap::swirl;
+    case mapped::image: return DirectionMap::image;
     default: return DirectionMap::none;
   }
 }
@@ -40,6 +41,7 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
   place_field(context, base::max(distance, 2), m.field);
   m.field.kind = number[mapped::map] == mapped::swirl ? stencil::vectors : stencil::scalars;
   m.field.bend = 13 * 4096 / 10;
+  if (m.kind == stencil::DirectionMap::image) m.picture = *static_cast<const DirectionImage*>(context.stored);
 }
 
 // The stream of this direction, a new one if there is none yet.
@@ -50,7 +52,7 @@ static uint8_t stream_of(stencil::FluxSet& set, const stencil::FluxSet::Stream& 
   return set.streams++;
 }
 
-static void prepare(const Context& context, bool kept) {
+static void fill_set(const Context& context, bool kept) {
   const int32_t* number = context.number;
   const Model& model = *context.model;
   stencil::FluxSet& set = *reinterpret_cast<stencil::FluxSet*>(context.table);
@@ -69,8 +71,8 @@ static void prepare(const Context& context, bool kept) {
   }
 }
 
-void prepare_flux(const Context& context) { prepare(context, true); }
-void prepare_lean_flux(const Context& context) { prepare(context, false); }
+void prepare_flux(const Context& context) { fill_set(context, true); }
+void prepare_lean_flux(const Context& context) { fill_set(context, false); }
 
 static const stencil::FluxSet& set_of(const Context& context) { return *reinterpret_cast<const stencil::FluxSet*>(context.table); }
 

@@ -58,11 +58,19 @@ constexpr Reach reach_of_flux(const Model& model, const int32_t* number, uint8_t
 constexpr Reach flux_reach(const Model& model, const int32_t* number, uint8_t level) { return reach_of_flux(model, number, level, true); }
 constexpr Reach lean_flux_reach(const Model& model, const int32_t* number, uint8_t level) { return reach_of_flux(model, number, level, false); }
 
+// Directions from an image: there is one, of 1 to kMostImage cells either way.
+constexpr bool accepts_map(const int32_t* number, const void* given) {
+  if (number[mapped::map] != mapped::image) return true;
+  if (given == nullptr) return false;
+  const DirectionImage& image = *static_cast<const DirectionImage*>(given);
+  return image.pairs != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
+}
+
 bool flux_next(const Context& context, Cursor& cursor, Sweep& sweep);
 void prepare_flux(const Context& context);
 void prepare_lean_flux(const Context& context);
 
-inline constexpr Solver flux DAPPLE_ROM = {flux_reach, flux_next, prepare_flux};
-inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next, prepare_lean_flux};
+inline constexpr Solver flux DAPPLE_ROM = {flux_reach, flux_next, prepare_flux, nullptr, accepts_map};
+inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next, prepare_lean_flux, nullptr, accepts_map};
 
 }  // namespace dapple::evolve

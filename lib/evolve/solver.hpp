@@ -70,6 +70,8 @@ struct Solver {
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
   // out[0] the field of the stage's grid, which is then enlarged bilinearly.
   grid::RowKernel field = nullptr;
+  // Whether Stage::stored is what these numbers need; null: nothing is wanted.
+  bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

@@ -11,7 +11,7 @@ using namespace threshold;
 constexpr uint8_t map = diffusion, detail = threshold::slots;
 static_assert(detail + 1 <= kMaxNumbers, "one slot more than the family's own");
 
-enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, kinds };
+enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, image, kinds };
 
 constexpr int32_t kMostPairs = 4;
 constexpr int32_t kDetail[2] = {10000, 1000000};
@@ -19,7 +19,7 @@ constexpr int32_t kDetail[2] = {10000, 1000000};
 inline constexpr Number numbers[] = {
     {Number::integer, "pairs", 1, kMostPairs, 1, nullptr, "activator-inhibitor pairs"},
     {Number::word, "react", 0, 1, 0, "md|da", "md: max of differences (14); da: difference of abs (15)"},
-    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends", "direction of every place of the tile"},
+    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|image", "direction of every place of the tile"},
     threshold::numbers[3], threshold::numbers[4], threshold::numbers[5],
     {Number::angles, "angle", -kTurn, kTurn, 0, nullptr, "degrees of each pair against the map's direction"},
     threshold::numbers[7], threshold::numbers[8],

@@ -90,6 +90,45 @@ static Doubled scallop(const DirectionMap& m, const Discs& discs, uint16_t at) {
   return {127, 0};
 }
 
+// The four cells of an image around a place.
+struct Corners {
+  int32_t c[4], s[4], length[4];  // length in Q4, at most 127
+};
+
+static void load_corner(const DirectionImage& image, int32_t i, int32_t j, uint8_t k, Corners& q) {
+  const int8_t* pair = image.pairs + 2 * (static_cast<size_t>(folded(j, image.height)) * image.width + static_cast<size_t>(folded(i, image.width)));
+  q.c[k] = pair[0];
+  q.s[k] = pair[1];
+  const uint32_t square = static_cast<uint32_t>(q.c[k] * q.c[k] + q.s[k] * q.s[k]);
+  q.length[k] = base::min(base::square_root(square << 8), 127 * 16);
+}
+
+// Weights Q8 a side, sums Q16. The vector's mean in Q8, at most 46341 long, gets the mean length.
+static Doubled blended(const Corners& q, int32_t fx, int32_t fy) {
+  const auto mean = [&](const int32_t* v) { return (v[0] * (256 - fx) + v[1] * fx) * (256 - fy) + (v[2] * (256 - fx) + v[3] * fx) * fy; };
+  const int32_t c = mean(q.c) >> 8, s = mean(q.s) >> 8, length = mean(q.length) >> 16;
+  const int32_t root = base::square_root(static_cast<uint32_t>(c * c) + static_cast<uint32_t>(s * s));
+  if (root == 0) return {0, 0};
+  return {to_q7((c * length / root + 8) >> 4), to_q7((s * length / root + 8) >> 4)};
+}
+
+// Image cell centres lie at (i + 1/2) / width of the period.
+static void image_row(const DirectionMap& m, uint16_t row, uint16_t n, int16_t* out) {
+  const DirectionImage& image = m.picture;
+  const int32_t y = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
+  uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
+  Corners q{};
+  int32_t held = INT32_MIN;
+  for (uint16_t x = 0; x < n; ++x) {
+    const int32_t place = static_cast<int32_t>(centre(at, m.width, static_cast<uint16_t>(128u * image.width))) - 128;
+    const int32_t i = place >> 8;
+    for (uint8_t k = 0; k < 4 && i != held; ++k) load_corner(image, i + (k & 1), (y >> 8) + (k >> 1), k, q);
+    held = i;
+    out[x] = packed(blended(q, place & 255, y & 255));
+    at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
 static void swirl_row(const DirectionField& field, int32_t y, uint16_t n, int16_t* out) {
   constexpr uint8_t kAtOnce = 32;
   int8_t c2[kAtOnce], s2[kAtOnce];
@@ -104,6 +143,7 @@ void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_
   y = folded(y, m.rows);
   if (m.kind == DirectionMap::swirl) return swirl_row(m.field, y, n, out);
   const uint16_t row = static_cast<uint16_t>(folded(m.y + y, m.height));
+  if (m.kind == DirectionMap::image) return image_row(m, row, n, out);
   const uint16_t v = static_cast<uint16_t>(centre(row, m.height, 32768u));
   const int32_t gy = (base::sine(v) + 16) >> 5;
   const uint16_t bent = static_cast<uint16_t>((static_cast<int32_t>(base::sine(v)) * 6554) >> 15);  // .1 sin 2 pi v

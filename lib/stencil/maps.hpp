@@ -5,6 +5,19 @@
 #pragma once
 #include "steer.hpp"
 
+namespace dapple {
+
+// Directions from the caller, stretched over the tile: row by row pairs (127 cos 2 theta, 127 sin 2 theta), theta from x towards y (down)
+// along the stripes. Shorter vectors are more isotropic, longer ones count as 127. Cells between the image's are interpolated, direction
+// and length apart. Image and struct must outlive the texture.
+struct DirectionImage {
+  const int8_t* pairs;
+  uint16_t width, height;  // 1..kMostImage
+};
+constexpr int32_t kMostImage = 256;
+
+}  // namespace dapple
+
 namespace dapple::stencil {
 
 constexpr uint16_t kPlanePeriod = 256;  // cells of the finest grid
@@ -12,13 +25,14 @@ constexpr uint8_t kMostMaps = 2;
 
 // The numbers of a map, from which a row is made.
 struct DirectionMap {
-  enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl } kind;
+  enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, image } kind;
   uint16_t width, height;  // cells of the period
   uint16_t rows;           // of the grid
   int32_t x, y;            // the world's cell at (0, 0) of the grid
   int32_t core;            // radial: (r0 / 2)^2, Q20
   uint16_t across, down;   // scallop: discs, rows of them (even)
   DirectionField field;    // swirl
+  DirectionImage picture;  // image
 };
 
 constexpr uint8_t maps_of(DirectionMap::Kind kind) { return kind == DirectionMap::two_angle ? kMostMaps : 1; }

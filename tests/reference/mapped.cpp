@@ -150,9 +150,10 @@ Plane grow(const dapple::Recipe& recipe, uint32_t seed) {
 }  // namespace
 
 TEST_CASE("reference: mapped presets in exact arithmetic") {
-  const std::vector<Named> presets = reference::presets_of(&dapple::mapped_model);
-  CHECK(presets.size() == 6);
-  for (const Named& preset : presets) {
+  int compared = 0;
+  for (const Named& preset : reference::presets_of(&dapple::mapped_model)) {
+    if (preset.recipe.stages > 1) continue;  // coarse to fine: the same stages
+    ++compared;
     const Plane want = grow(preset.recipe, 1);
     const Plane have = library_field(preset.recipe, kGrid, 1);
     REQUIRE(have.size() == want.size());
@@ -166,6 +167,7 @@ TEST_CASE("reference: mapped presets in exact arithmetic") {
     CHECK(std::fabs(d.fill) <= 0.01);
     CHECK(d.agreement >= 0.93);
   }
+  CHECK(compared == 6);
 }
 
 TEST_CASE("reference: a constant map grows what the passes of the threshold family grow") {

@@ -92,7 +92,7 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
   };
   if (const uint64_t kept = kept_bytes(recipe, need, domain); kept > 0) {
     const auto scratch = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("scratch_bytes"); });
-    all.insert(scratch, {"kept_bytes", "  of them links", text(kept), "bytes"});
+    all.insert(scratch, {"kept_bytes", "  of them kept", text(kept), "bytes"});
   }
   const std::vector<Figure> shape = domain.plane ? window_figures(need, domain) : tile_figures(need);
   const auto radius = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("radius"); });

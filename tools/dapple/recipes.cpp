@@ -13,6 +13,7 @@ using dapple::Trouble;
 using dapple::recipe::Family;
 
 constexpr size_t kLongestRecipe = 4000;
+constexpr std::string_view kMapFile = "map=@";
 
 // Changes that turn one name into the other: letters put in, left out or replaced.
 static size_t distance_of(const std::string& a, const std::string& b) {
@@ -148,7 +149,14 @@ static Subject subject_named(const std::string& name) {
 
 Subject subject_of(const Options& options) {
   Subject subject = subject_named(options.subject);
-  if (!options.changes.empty()) change_all(subject.recipe, options.changes);
+  std::vector<std::string> changes = options.changes;
+  for (std::string& word : changes) {
+    if (word.compare(0, kMapFile.size(), kMapFile) != 0) continue;
+    subject.map = read_map(word.substr(kMapFile.size()), options.map_as);
+    word = "map=image";
+  }
+  if (!changes.empty()) change_all(subject.recipe, changes);
+  if (subject.map != nullptr) dapple::set_map(subject.recipe, subject.map->image);
   if (options.ramp) subject.recipe.paint.ramp = *options.ramp;
   return subject;
 }
@@ -206,6 +214,8 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       fail_for_size(subject, domain, need);
     case dapple::too_far:
       fail_for_place(domain);
+    case dapple::bad_map:
+      refuse("map=image takes its directions from a picture: give map=@FILE, a PGM or PPM file");
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:
