@@ -116,12 +116,12 @@ constexpr Status check_window(const Domain& d, Need& need) {
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
   if (!good_stages(recipe)) return bad_recipe;
   if (bands < 1 || bands > kMaxBands) return bad_bands;
+  need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
+  smallest(recipe, need);
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
   }
-  need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
-  smallest(recipe, need);
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.plane) {
     need.halo = halo_of(recipe);
@@ -187,11 +187,11 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 
 }  // namespace api
 
-// Hands the directions of map=image to every stage of a recipe. begin looks at them, and answers bad_map where they are wanted and
-// missing, or of a size out of range.
-constexpr void set_map(Recipe& recipe, const DirectionImage& image) {
+// Hands the directions of map=image and the styles of solver=styled to every stage of a recipe. begin looks at them, and answers bad_map
+// where they are wanted and missing, or of a size out of range.
+constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
   for (uint8_t i = 0; i < recipe.stages; ++i)
-    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &image;
+    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
 }
 
 // What `recipe` needs on `domain`: constexpr where the recipe is.

@@ -1,5 +1,5 @@
-// The mapped family: mass and bounds to the last bit, the same bytes with and without kept directions, on torus and plane.
-// SPDX-License-Identifier: MIT
+// The mapped family: mass and bounds to the last bit, the same bytes with and without kept directions, on torus and
+// plane. SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,9 @@ namespace {
 
 const char* const kMaps[] = {"none", "radial", "scallop", "haunch", "two-angle", "swirl", "bends"};
 
-std::string recipe_with(const char* map, const char* numbers) { return std::string("mapped map=") + map + " " + numbers; }
+std::string recipe_with(const char* map, const char* numbers) {
+  return std::string("mapped map=") + map + " " + numbers;
+}
 
 // One macro step of pure diffusion and its sweeps, over planes of random extremes: no impulse is asked for.
 struct Diffusion {
@@ -41,9 +43,18 @@ struct Diffusion {
     REQUIRE(dapple::evolve::band_bytes(reach, Cell::int16, kWidth, 1, bytes));
     scratch.resize(bytes);
     table.resize(reach.table);
-    field = {reinterpret_cast<uint8_t*>(planes.data()), 2 * cells, 2 * kWidth, scratch.data(), bytes, kWidth, kHeight, Cell::int16, 1};
+    field = {reinterpret_cast<uint8_t*>(planes.data()),
+             2 * cells,
+             2 * kWidth,
+             scratch.data(),
+             bytes,
+             kWidth,
+             kHeight,
+             Cell::int16,
+             1};
     const dapple::grid::Ground ground = {kWidth, kHeight, 0, 0};
-    const dapple::evolve::Context context = {&model, stage.number, nullptr, table.data(), {0, 1}, 0, &ground, false, seed, nullptr, true};
+    const dapple::evolve::Context context = {&model,  stage.number, nullptr, table.data(), {0, 1}, 0,
+                                             &ground, false,        seed,    nullptr,      true};
     stage.solver->prepare(context);
     dapple::evolve::Cursor cursor{};
     dapple::evolve::Sweep sweep{};
@@ -64,7 +75,8 @@ struct Diffusion {
 
 TEST_CASE("mapped: a step of diffusion keeps mass exactly and stays between the least and the greatest") {
   for (const char* map : kMaps)
-    for (const char* numbers : {"scale=1.5 stretch=3 pairs=2", "scale=2.5 stretch=5 ratio=3 angle=13", "scale=0.4 stretch=1 ratio=1.1 pairs=4"}) {
+    for (const char* numbers : {"scale=1.5 stretch=3 pairs=2", "scale=2.5 stretch=5 ratio=3 angle=13",
+                                "scale=0.4 stretch=1 ratio=1.1 pairs=4"}) {
       const dapple::Recipe recipe = tests::recipe_of(recipe_with(map, numbers).c_str());
       REQUIRE(recipe.stages == 1);
       std::mt19937 random(3);
@@ -72,10 +84,12 @@ TEST_CASE("mapped: a step of diffusion keeps mass exactly and stays between the 
       size_t moved = 0;
       for (uint8_t i = 0; i < recipe.stage[0].model->planes(recipe.stage[0].number); ++i) {
         std::vector<int16_t> before;
-        for (int k = 0; k < Diffusion::kWidth * Diffusion::kHeight; ++k) before.push_back(static_cast<int16_t>(random() % 3 * 8000));
+        for (int k = 0; k < Diffusion::kWidth * Diffusion::kHeight; ++k)
+          before.push_back(static_cast<int16_t>(random() % 3 * 8000));
         const std::vector<int16_t> now = after.plane(i);
         INFO(map << " " << numbers << " plane " << int(i));
-        CHECK(std::accumulate(now.begin(), now.end(), int64_t{0}) == std::accumulate(before.begin(), before.end(), int64_t{0}));
+        CHECK(std::accumulate(now.begin(), now.end(), int64_t{0}) ==
+              std::accumulate(before.begin(), before.end(), int64_t{0}));
         CHECK(*std::min_element(now.begin(), now.end()) >= 0);
         CHECK(*std::max_element(now.begin(), now.end()) <= 16000);
         moved += now != before;
@@ -88,7 +102,8 @@ TEST_CASE("mapped: every weight a stage can have is at most a quarter, and full 
   for (int32_t across = 1; across < 1700; across = across * 3 / 2 + 1)
     for (int32_t along = across; along < 1700; along = along * 3 / 2 + 1)
       for (const bool turned : {false, true}) {
-        const stencil::Tensor axes = {(turned ? across : along) * 65536 / 10, 0, (turned ? along : across) * 65536 / 10};
+        const stencil::Tensor axes = {(turned ? across : along) * 65536 / 10, 0,
+                                      (turned ? along : across) * 65536 / 10};
         const stencil::Spread p = stencil::spread_of(axes);
         CHECK(p.slope <= stencil::kMostSlope);
         CHECK(p.mean + p.slope <= stencil::kMostShare + 1);
@@ -97,7 +112,8 @@ TEST_CASE("mapped: every weight a stage can have is at most a quarter, and full 
           CHECK(stages <= stencil::kLargestStride);
           for (uint8_t stage = 0; stage < stages; ++stage) {
             const int32_t stride = stencil::stride_of(stage);
-            CHECK(stencil::share_before(p, stage + 1) - stencil::share_before(p, stage) == stride * stride * (p.unit / 2));
+            CHECK(stencil::share_before(p, stage + 1) - stencil::share_before(p, stage) ==
+                  stride * stride * (p.unit / 2));
             CHECK(stride * stride * (p.unit / 2) <= 32767);
           }
         }
@@ -106,8 +122,9 @@ TEST_CASE("mapped: every weight a stage can have is at most a quarter, and full 
 
 TEST_CASE("mapped: the same bytes without kept directions, whatever the slices and bands") {
   for (const char* map : kMaps)
-    for (const char* numbers : {"scale=1.3 stretch=3 pairs=2 rho=0.02 angles=10,-31 steps=3", "scale=2 stretch=1 ratio=1.4 steps=2 detail=0.4",
-                                "scale=1.5 stretch=2.4 steps=5 levels=2 fine=2"}) {
+    for (const char* numbers :
+         {"scale=1.3 stretch=3 pairs=2 rho=0.02 angles=10,-31 steps=3",
+          "scale=2 stretch=1 ratio=1.4 steps=2 detail=0.4", "scale=1.5 stretch=2.4 steps=5 levels=2 fine=2"}) {
       const dapple::Recipe kept = tests::recipe_of(recipe_with(map, numbers).c_str());
       const dapple::Recipe lean = tests::recipe_of((recipe_with(map, numbers) + " solver=lean").c_str());
       const dapple::Domain domain = dapple::torus(58, 42, -18, 6);
@@ -121,7 +138,8 @@ TEST_CASE("mapped: the same bytes without kept directions, whatever the slices a
         CHECK(Grown(kept, domain, 11, 3, options).field() == plain.field());
         CHECK(Grown(lean, domain, 11, 7, options).field() == plain.field());
       }
-      CHECK(dapple::need_for(kept, domain).planes - dapple::need_for(lean, domain).planes == 58u * 42u * 2u * (std::string(map) == "two-angle" ? 2 : 1));
+      CHECK(dapple::need_for(kept, domain).planes - dapple::need_for(lean, domain).planes ==
+            58u * 42u * 2u * (std::string(map) == "two-angle" ? 2 : 1));
     }
 }
 
@@ -140,15 +158,17 @@ TEST_CASE("mapped: windows of the plane are parts of each other, and the map has
   }
 }
 
-TEST_CASE("mapped: an image of one direction is a constant map, byte for byte; of a coarse one the cells between are interpolated") {
+TEST_CASE(
+    "mapped: an image of one direction is a constant map, byte for byte; of a coarse one the cells between are "
+    "interpolated") {
   const dapple::Domain domain = dapple::torus(52, 44, 8, -12);
   const char* numbers = " scale=1.5 stretch=3 pairs=2 rho=0.02 steps=4 ";
   for (const char* solver : {"solver=flux", "solver=lean", "levels=2 fine=1"}) {
     std::vector<int8_t> pairs;
     for (int i = 0; i < 5 * 3; ++i) pairs.insert(pairs.end(), {127, 0});
-    const dapple::DirectionImage image = {pairs.data(), 5, 3};
+    const dapple::PlaceMaps maps = {{pairs.data(), 5, 3}, {}};
     dapple::Recipe mapped = tests::recipe_of((recipe_with("image", numbers) + solver).c_str());
-    set_map(mapped, image);
+    set_maps(mapped, maps);
     Grown have(mapped, domain, 4), want(tests::recipe_of((recipe_with("none", numbers) + solver).c_str()), domain, 4);
     REQUIRE(have.status == dapple::ok);
     CHECK(have.field() == want.field());
@@ -157,7 +177,8 @@ TEST_CASE("mapped: an image of one direction is a constant map, byte for byte; o
   stencil::DirectionMap map{};
   map.kind = stencil::DirectionMap::image;
   map.width = map.height = map.rows = 128;
-  map.picture = {two, 2, 1};
+  const dapple::PlaceMaps maps = {{two, 2, 1}, {}};
+  stencil::set_images(map, &maps);
   int16_t row[128];
   stencil::map_row(map, 0, 77, 128, row);
   CHECK((row[32] & 255) >= 126);
@@ -166,11 +187,83 @@ TEST_CASE("mapped: an image of one direction is a constant map, byte for byte; o
   CHECK(std::abs((row[64] >> 8) - 90) <= 2);
 }
 
+namespace {
+
+// 2 x 1 styles: the left half and the right one.
+std::vector<int16_t> styled(const char* text, const std::vector<uint8_t>& cells, uint32_t budget = UINT32_MAX,
+                            uint8_t bands = 1) {
+  dapple::Recipe recipe = tests::recipe_of((std::string(text) + " solver=styled").c_str());
+  const dapple::PlaceMaps maps = {{}, {cells.data(), 2, 1}};
+  set_maps(recipe, maps);
+  dapple::Options options;
+  options.bands = bands;
+  Grown tile(recipe, dapple::torus(128, 96), 6, budget, options);
+  CHECK(tile.status == dapple::ok);
+  return tile.field();
+}
+
+// Changes of sign down the columns of a quarter of the tile around column x.
+int changes(const std::vector<int16_t>& field, size_t x) {
+  int count = 0;
+  for (size_t column = x - 16; column < x + 16; ++column)
+    for (size_t y = 1; y < 96; ++y) count += (field[128 * y + column] > 0) != (field[128 * (y - 1) + column] > 0);
+  return count;
+}
+int above(const std::vector<int16_t>& field, size_t x) {
+  int count = 0;
+  for (size_t i = 0; i < field.size(); ++i) count += i % 128 >= x - 16 && i % 128 < x + 16 && field[i] > 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("mapped: styles change wavelength, rho and k over the tile; the recipe's own change nothing") {
+  const char* stripes = "mapped map=none scale=2.5 stretch=2 steps=20";
+  const std::vector<int16_t> plain = Grown(tests::recipe_of(stripes), dapple::torus(128, 96), 6).field();
+  CHECK(styled(stripes, {255, 128, 255, 255, 128, 255}) == plain);
+  CHECK(
+      styled("mapped map=radial pairs=3 scale=1.5 steps=3 levels=2 fine=1", {255, 128, 255, 255, 128, 255}) ==
+      Grown(tests::recipe_of("mapped map=radial pairs=3 scale=1.5 steps=3 levels=2 fine=1"), dapple::torus(128, 96), 6)
+          .field());
+  const std::vector<uint8_t> shorter = {255, 128, 255, 128, 128, 255}, sparser = {255, 128, 255, 255, 168, 255},
+                             weaker = {255, 128, 255, 255, 128, 0};
+  const std::vector<int16_t> waves = styled(stripes, shorter);
+  CHECK(changes(waves, 96) > 14 * changes(waves, 32) / 10);
+  CHECK(changes(waves, 96) < 26 * changes(waves, 32) / 10);
+  CHECK(styled(stripes, shorter, 3, 4) == waves);
+  const std::vector<int16_t> threads = styled(stripes, sparser);
+  CHECK(above(threads, 96) < above(threads, 32) * 9 / 10);
+  const std::vector<int16_t> faded = styled(stripes, weaker);
+  const auto strongest = [&](size_t x) {
+    int16_t most = 0;
+    for (size_t y = 0; y < 96; ++y) most = std::max(most, faded[128 * y + x]);
+    return most;
+  };
+  CHECK(strongest(96) < strongest(32) / 4);
+}
+
+TEST_CASE("mapped: begin refuses styles that are missing, of a wrong size, or for four pairs") {
+  const uint8_t cell[3] = {255, 128, 255};
+  const auto status = [&](const char* text, const dapple::StyleImage& image) {
+    dapple::Recipe recipe = tests::recipe_of(text);
+    const dapple::PlaceMaps maps = {{}, image};
+    set_maps(recipe, maps);
+    return dapple::need_for(recipe, dapple::torus(64, 64)).status;
+  };
+  CHECK(dapple::need_for(tests::recipe_of("mapped solver=styled"), dapple::torus(64, 64)).status == dapple::bad_map);
+  CHECK(status("mapped solver=styled", {nullptr, 1, 1}) == dapple::bad_map);
+  CHECK(status("mapped solver=styled", {cell, 257, 1}) == dapple::bad_map);
+  CHECK(status("mapped solver=styled map=image", {cell, 1, 1}) == dapple::bad_map);
+  CHECK(status("mapped solver=styled pairs=4", {cell, 1, 1}) == dapple::bad_map);
+  CHECK(status("mapped solver=styled pairs=3", {cell, 1, 1}) == dapple::ok);
+}
+
 TEST_CASE("mapped: begin refuses an image that is missing or of a wrong size") {
   dapple::Recipe recipe = tests::recipe_of("mapped map=image");
   const int8_t pair[2] = {127, 0};
   const auto status = [&](const dapple::DirectionImage& image) {
-    set_map(recipe, image);
+    const dapple::PlaceMaps maps = {image, {}};
+    set_maps(recipe, maps);
     return dapple::need_for(recipe, dapple::torus(64, 64)).status;
   };
   CHECK(dapple::need_for(recipe, dapple::torus(64, 64)).status == dapple::bad_map);

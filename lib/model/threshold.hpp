@@ -96,6 +96,8 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
 }
 
 void impulse_row(const grid::Rows& rows);
+// The same with a style for every cell, in the last plane: steps of kUnit / 1000 on rho in its high byte, the share of k in its low one.
+void impulse_styled_row(const grid::Rows& rows);
 void react_row(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
 

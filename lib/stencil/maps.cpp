@@ -9,8 +9,8 @@ static int32_t folded(int32_t i, int32_t size) {
   return rest < 0 ? rest + size : rest;
 }
 
-// (2 at + 1) * factor / size, at < size <= 65535, factor <= 32768: the product is below 2^32. A factor of 32768 makes the
-// centre of a cell in 1/65536 of the period.
+// (2 at + 1) * factor / size, at < size <= 65535, factor <= 32768: the product is below 2^32. A factor of 32768 makes
+// the centre of a cell in 1/65536 of the period.
 static uint32_t centre(uint16_t at, uint16_t size, uint16_t factor) {
   return (2u * static_cast<uint32_t>(at) + 1u) * factor / size;
 }
@@ -23,7 +23,8 @@ static int8_t share(int32_t a, int32_t b) {
 
 // Of a doubled angle in 1/65536 turns, 127 long.
 static Doubled turned(uint16_t turn) {
-  return {to_q7((127 * static_cast<int32_t>(base::cosine(turn)) + 16384) >> 15), to_q7((127 * static_cast<int32_t>(base::sine(turn)) + 16384) >> 15)};
+  return {to_q7((127 * static_cast<int32_t>(base::cosine(turn)) + 16384) >> 15),
+          to_q7((127 * static_cast<int32_t>(base::sine(turn)) + 16384) >> 15)};
 }
 
 // 2 theta from g: (gx^2 - gy^2, 2 gx gy) / (g^2 + core). g in Q10, squares in Q20.
@@ -96,7 +97,8 @@ struct Corners {
 };
 
 static void load_corner(const DirectionImage& image, int32_t i, int32_t j, uint8_t k, Corners& q) {
-  const int8_t* pair = image.pairs + 2 * (static_cast<size_t>(folded(j, image.height)) * image.width + static_cast<size_t>(folded(i, image.width)));
+  const int8_t* pair = image.pairs + 2 * (static_cast<size_t>(folded(j, image.height)) * image.width +
+                                          static_cast<size_t>(folded(i, image.width)));
   q.c[k] = pair[0];
   q.s[k] = pair[1];
   const uint32_t square = static_cast<uint32_t>(q.c[k] * q.c[k] + q.s[k] * q.s[k]);
@@ -105,7 +107,9 @@ static void load_corner(const DirectionImage& image, int32_t i, int32_t j, uint8
 
 // Weights Q8 a side, sums Q16. The vector's mean in Q8, at most 46341 long, gets the mean length.
 static Doubled blended(const Corners& q, int32_t fx, int32_t fy) {
-  const auto mean = [&](const int32_t* v) { return (v[0] * (256 - fx) + v[1] * fx) * (256 - fy) + (v[2] * (256 - fx) + v[3] * fx) * fy; };
+  const auto mean = [&](const int32_t* v) {
+    return (v[0] * (256 - fx) + v[1] * fx) * (256 - fy) + (v[2] * (256 - fx) + v[3] * fx) * fy;
+  };
   const int32_t c = mean(q.c) >> 8, s = mean(q.s) >> 8, length = mean(q.length) >> 16;
   const int32_t root = base::square_root(static_cast<uint32_t>(c * c) + static_cast<uint32_t>(s * s));
   if (root == 0) return {0, 0};
@@ -114,7 +118,7 @@ static Doubled blended(const Corners& q, int32_t fx, int32_t fy) {
 
 // Image cell centres lie at (i + 1/2) / width of the period.
 static void image_row(const DirectionMap& m, uint16_t row, uint16_t n, int16_t* out) {
-  const DirectionImage& image = m.picture;
+  const DirectionImage& image = images_of(m).direction;
   const int32_t y = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
   uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
   Corners q{};
@@ -153,13 +157,51 @@ void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_
     const uint16_t u = static_cast<uint16_t>(centre(at, m.width, 32768u));
     Doubled d = {127, 0};
     switch (m.kind) {
-      case DirectionMap::radial: d = radial(m, u, gy); break;
-      case DirectionMap::scallop: d = scallop(m, discs, at); break;
-      case DirectionMap::haunch: d = haunch(static_cast<uint16_t>(u + bent)); break;
-      case DirectionMap::two_angle: d = two_angle(index, u, v); break;
-      default: break;
+      case DirectionMap::radial:
+        d = radial(m, u, gy);
+        break;
+      case DirectionMap::scallop:
+        d = scallop(m, discs, at);
+        break;
+      case DirectionMap::haunch:
+        d = haunch(static_cast<uint16_t>(u + bent));
+        break;
+      case DirectionMap::two_angle:
+        d = two_angle(index, u, v);
+        break;
+      default:
+        break;
     }
     out[x] = packed(d);
+    at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
+// A channel between four cells: bytes to Q8.
+static int32_t between(const StyleImage& image, int32_t px, int32_t py, uint8_t channel) {
+  const auto cell = [&](int32_t i, int32_t j) {
+    return static_cast<int32_t>(image.cells[3 * (static_cast<size_t>(folded(j, image.height)) * image.width +
+                                                 static_cast<size_t>(folded(i, image.width))) +
+                                            channel]);
+  };
+  const int32_t i = px >> 8, j = py >> 8, fx = px & 255, fy = py & 255;
+  const int32_t above = cell(i, j) * (256 - fx) + cell(i + 1, j) * fx,
+                below = cell(i, j + 1) * (256 - fx) + cell(i + 1, j + 1) * fx;
+  return (above * (256 - fy) + below * fy) >> 8;
+}
+
+void style_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k) {
+  const StyleImage& image = images_of(m).style;
+  const uint16_t row = static_cast<uint16_t>(folded(m.y + folded(y, m.rows), m.height));
+  const int32_t py = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
+  uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
+  for (uint16_t x = 0; x < n; ++x) {
+    const int32_t px = static_cast<int32_t>(centre(at, m.width, static_cast<uint16_t>(128u * image.width))) - 128;
+    const int32_t share =
+        base::max(between(image, px, py, 0), INT32_C(64) * 256) * 32767 / INT32_C(65280);  // Q15; 65280 is 255 in Q8
+    lack[x] = static_cast<int16_t>(32766 - ((share * share) >> 15));
+    const int32_t rho = ((between(image, px, py, 1) + 128) >> 8) - 128, k = (between(image, px, py, 2) + 128) >> 8;
+    rho_k[x] = static_cast<int16_t>((static_cast<uint16_t>(rho) << 8) | static_cast<uint16_t>(k));
     at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
   }
 }

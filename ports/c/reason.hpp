@@ -122,7 +122,7 @@ static void explain(Sentence& s, const Need& need) {
       put(s, " more cells on every side; the most are ");
       return put(s, uint64_t{kWidestHalo});
     case bad_map:
-      return put(s, "map=image needs an image of directions, 1 to 256 cells a side");
+      return put(s, "map=image and solver=styled need images, 1 to 256 cells a side");
     default:
       return put(s, "the stages do not fit each other, or the last is not on the finest grid");
   }

@@ -345,7 +345,13 @@ test_maps() {
   refused 1 deep.pgm 65535 255 -- grow radial map=@"$maps/deep.pgm"
   refused 1 wide.pgm 99999x16 8192 -- grow radial map=@"$maps/wide.pgm"
   refused 1 other.pgm "PGM or PPM" -- info radial map=@"$maps/other.pgm"
+  { printf 'P6 1 1 255\n'; printf '\377\200\377'; } > "$maps/plain.ppm"
+  { printf 'P5 2 1 255\n'; printf '\377\100'; } > "$maps/shorter.pgm"
+  equal "style: the recipe's own" "$(hash_of radial --size 64 style=@"$maps/plain.ppm")" "$(hash_of radial --size 64)"
+  differ "style: shorter waves" "$(hash_of radial --size 64 style=@"$maps/shorter.pgm")" "$(hash_of radial --size 64)"
+  refused 1 short.pgm "5 bytes of pixels, not 256" -- grow radial style=@"$maps/short.pgm"
   refused 2 "map=@FILE" -- grow radial map=image
+  refused 2 "style=@FILE" -- grow radial solver=styled
   refused 2 "'map'" threshold -- grow zebra map=@"$maps/flat.pgm"
   refused 2 "--map-as 'up'" structure values -- grow radial --map-as up
 }

@@ -1,6 +1,5 @@
-// The mapped family in float64: the formulas of docs/numbers.md in exact arithmetic, and constant maps against the passes of
-// the threshold family.
-// SPDX-License-Identifier: MIT
+// The mapped family in float64: the formulas of docs/numbers.md in exact arithmetic, and constant maps against the
+// passes of the threshold family. SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -64,16 +63,21 @@ Vector two_angle(double u, double v, int index) {
 Vector map_at(const int32_t* number, double u, double v, int pair) {
   const double detail = number[mapped::detail] / 1e6;
   switch (number[mapped::map]) {
-    case mapped::radial: return radial(u, v, detail);
-    case mapped::scallop: return scallop(u, v, detail);
-    case mapped::haunch: return haunch(u, v);
-    case mapped::two_angle: return two_angle(u, v, pair % 2);
-    default: return {1, 0};
+    case mapped::radial:
+      return radial(u, v, detail);
+    case mapped::scallop:
+      return scallop(u, v, detail);
+    case mapped::haunch:
+      return haunch(u, v);
+    case mapped::two_angle:
+      return two_angle(u, v, pair % 2);
+    default:
+      return {1, 0};
   }
 }
 
-// The eight ways, and each one's share of A = m I + d [[c, s], [s, -c]]: the vector (c, s) is a sum of the two doubled ways
-// beside it, and what the axes get less for that is m - d times the sum of both.
+// The eight ways, and each one's share of A = m I + d [[c, s], [s, -c]]: the vector (c, s) is a sum of the two doubled
+// ways beside it, and what the axes get less for that is m - d times the sum of both.
 struct Step {
   int x, y;
 };
@@ -108,7 +112,8 @@ void diffuse(Plane& plane, const Plane& shares, Step way) {
     for (int y = 0; y < kGrid.height; ++y)
       for (int x = 0; x < kGrid.width; ++x) {
         const int far_x = (x + stride * way.x + kGrid.width) % kGrid.width, far_y = (y + stride * way.y) % kGrid.height;
-        const size_t here = static_cast<size_t>(y * kGrid.width + x), there = static_cast<size_t>(far_y * kGrid.width + far_x);
+        const size_t here = static_cast<size_t>(y * kGrid.width + x),
+                     there = static_cast<size_t>(far_y * kGrid.width + far_x);
         const double left = (shares[here] + shares[there]) / 2 - before;
         const double carried = std::clamp(left / (2 * stride * stride), 0.0, 0.25) * (plane[there] - plane[here]);
         next[here] += carried;
@@ -126,7 +131,8 @@ Plane shares_of(const dapple::Recipe& recipe, const Threshold& t, int plane, int
     for (int x = 0; x < kGrid.width; ++x) {
       const Vector p = map_at(recipe.stage[0].number, (x + 0.5) / kGrid.width, (y + 0.5) / kGrid.height, plane / 2);
       const Vector turn = doubled(t.angle[plane / 2]);
-      all.push_back(share(way, (a1 * a1 + a2 * a2) / 2, (a1 * a1 - a2 * a2) / 2, {p.c * turn.c - p.s * turn.s, p.c * turn.s + p.s * turn.c}));
+      all.push_back(share(way, (a1 * a1 + a2 * a2) / 2, (a1 * a1 - a2 * a2) / 2,
+                          {p.c * turn.c - p.s * turn.s, p.c * turn.s + p.s * turn.c}));
     }
   return all;
 }
@@ -160,8 +166,8 @@ TEST_CASE("reference: mapped presets in exact arithmetic") {
     const double level = dapple::threshold::cell_level(preset.recipe.stage[0].number);
     const Distance d = distance(have, want, kGrid, level, reference::threshold_of(preset.recipe).rho[1]);
     const reference::Figures f = measure(have, kGrid, level);
-    std::printf("mapped   %-13s wavelength %5.2f %+6.2f %%  fill %.3f %+.4f  agreement %.4f\n", preset.name.c_str(), f.wavelength,
-                100 * d.wavelength, f.fill, d.fill, d.agreement);
+    std::printf("mapped   %-13s wavelength %5.2f %+6.2f %%  fill %.3f %+.4f  agreement %.4f\n", preset.name.c_str(),
+                f.wavelength, 100 * d.wavelength, f.fill, d.fill, d.agreement);
     INFO(preset.name);
     CHECK(std::fabs(d.wavelength) <= 0.01);
     CHECK(std::fabs(d.fill) <= 0.01);
@@ -171,16 +177,18 @@ TEST_CASE("reference: mapped presets in exact arithmetic") {
 }
 
 TEST_CASE("reference: a constant map grows what the passes of the threshold family grow") {
-  for (const char* numbers : {"stretch=2 scale=2.2 rho=0 angle=78.540844", "stretch=2.5 scale=1.7 rho=0 angle=13.3",
-                              "stretch=3 scale=1.9 pairs=2 rho=0.02 angle=0", "stretch=3 scale=1.8 pairs=2 rho=0.02 angle=31",
-                              "stretch=4 scale=2 rho=0 angle=18", "stretch=1.2 scale=2.2 rho=0 angle=40"}) {
+  for (const char* numbers :
+       {"stretch=2 scale=2.2 rho=0 angle=78.540844", "stretch=2.5 scale=1.7 rho=0 angle=13.3",
+        "stretch=3 scale=1.9 pairs=2 rho=0.02 angle=0", "stretch=3 scale=1.8 pairs=2 rho=0.02 angle=31",
+        "stretch=4 scale=2 rho=0 angle=18", "stretch=1.2 scale=2.2 rho=0 angle=40"}) {
     double wavelength = 0, fill = 0;
     constexpr uint32_t kSeeds = 4;
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
       const dapple::Recipe flux = tests::recipe_of((std::string("mapped map=none ") + numbers).c_str());
       const dapple::Recipe passes = tests::recipe_of((std::string("threshold ") + numbers).c_str());
       const double level = dapple::threshold::cell_level(flux.stage[0].number);
-      const Distance d = distance(library_field(flux, kGrid, seed), library_field(passes, kGrid, seed), kGrid, level, level);
+      const Distance d =
+          distance(library_field(flux, kGrid, seed), library_field(passes, kGrid, seed), kGrid, level, level);
       wavelength += d.wavelength / kSeeds;
       fill += d.fill / kSeeds;
     }

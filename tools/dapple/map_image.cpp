@@ -22,7 +22,8 @@ struct Pixmap {
 
   // Any place: a tile's picture repeats.
   uint8_t at(int64_t x, int64_t y, uint32_t channel) const {
-    const uint64_t column = static_cast<uint64_t>((x % width + width) % width), row = static_cast<uint64_t>((y % height + height) % height);
+    const uint64_t column = static_cast<uint64_t>((x % width + width) % width),
+                   row = static_cast<uint64_t>((y % height + height) % height);
     return static_cast<uint8_t>(bytes[(row * width + column) * channels + channel]);
   }
   int32_t grey(int64_t x, int64_t y) const {
@@ -30,7 +31,9 @@ struct Pixmap {
   }
 };
 
-[[noreturn]] void damaged(const std::string& path, const std::string& why) { fail("map " + shown(path) + ": " + why); }
+[[noreturn]] void damaged(const std::string& path, const std::string& why) {
+  fail("picture " + shown(path) + ": " + why);
+}
 
 // A decimal number of the header, behind blanks and remarks.
 uint32_t header_number(const std::string& text, size_t& at, const std::string& path) {
@@ -57,20 +60,25 @@ Pixmap read_pixmap(const std::string& path) {
   const uint32_t most = header_number(text, at, path);
   picture.channels = grey ? 1 : 3;
   if (picture.width < 1 || picture.width > kLargestSide || picture.height < 1 || picture.height > kLargestSide)
-    damaged(path, "has " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + " pixels; sides are 1 to " + std::to_string(kLargestSide));
+    damaged(path, "has " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                      " pixels; sides are 1 to " + std::to_string(kLargestSide));
   if (most != 255) damaged(path, "has values up to " + std::to_string(most) + "; 255 is what is read");
   const size_t wanted = size_t{picture.width} * picture.height * picture.channels;
   picture.bytes = text.substr(std::min(text.size(), at + 1));
   if (picture.bytes.size() < wanted)
-    damaged(path, "is cut short: " + std::to_string(picture.bytes.size()) + " bytes of pixels, not " + std::to_string(wanted));
+    damaged(path, "is cut short: " + std::to_string(picture.bytes.size()) + " bytes of pixels, not " +
+                      std::to_string(wanted));
   return picture;
 }
 
 // The vector (c, s) with a length of 127 share / 256.
 void put(std::vector<int8_t>& pairs, int64_t c, int64_t s, int64_t share) {
-  while (c > (INT64_C(1) << 24) || c < -(INT64_C(1) << 24) || s > (INT64_C(1) << 24) || s < -(INT64_C(1) << 24)) c /= 2, s /= 2;
+  while (c > (INT64_C(1) << 24) || c < -(INT64_C(1) << 24) || s > (INT64_C(1) << 24) || s < -(INT64_C(1) << 24))
+    c /= 2, s /= 2;
   const int64_t root = dapple::base::square_root64(static_cast<uint64_t>(c * c + s * s) << 12);  // Q6
-  const auto part = [&](int64_t v) { return dapple::stencil::to_q7(root == 0 ? 0 : static_cast<int32_t>(v * 127 * share / 4 / root)); };
+  const auto part = [&](int64_t v) {
+    return dapple::stencil::to_q7(root == 0 ? 0 : static_cast<int32_t>(v * 127 * share / 4 / root));
+  };
   pairs.push_back(part(c));
   pairs.push_back(part(s));
 }
@@ -91,13 +99,14 @@ Tensor block_tensor(const Pixmap& p, uint32_t x0, uint32_t x1, uint32_t y0, uint
   return t;
 }
 
-// Every cell from the 3 x 3 blocks around it; stripes lie across the gradient. Where less than half of the gradient agrees the vector
-// is shorter; where there is none it is 0.
+// Every cell from the 3 x 3 blocks around it; stripes lie across the gradient. Where less than half of the gradient
+// agrees the vector is shorter; where there is none it is 0.
 void from_structure(const Pixmap& p, uint32_t wide, uint32_t high, std::vector<int8_t>& pairs) {
   std::vector<Tensor> blocks;
   for (uint32_t j = 0; j < high; ++j)
     for (uint32_t i = 0; i < wide; ++i)
-      blocks.push_back(block_tensor(p, i * p.width / wide, (i + 1) * p.width / wide, j * p.height / high, (j + 1) * p.height / high));
+      blocks.push_back(block_tensor(p, i * p.width / wide, (i + 1) * p.width / wide, j * p.height / high,
+                                    (j + 1) * p.height / high));
   for (uint32_t j = 0; j < high; ++j)
     for (uint32_t i = 0; i < wide; ++i) {
       Tensor sum{};
@@ -131,15 +140,31 @@ void from_values(const Pixmap& p, uint32_t wide, uint32_t high, std::vector<int8
 
 }  // namespace
 
-std::shared_ptr<const MapImage> read_map(const std::string& path, MapAs as) {
+void read_map(const std::string& path, MapAs as, PictureMaps& to) {
   const Pixmap picture = read_pixmap(path);
   const uint32_t most = as == MapAs::structure ? kBlocks : static_cast<uint32_t>(dapple::kMostImage);
   const uint32_t wide = std::min(picture.width, most), high = std::min(picture.height, most);
-  auto map = std::make_shared<MapImage>();
-  if (as == MapAs::structure) from_structure(picture, wide, high, map->pairs);
-  else from_values(picture, wide, high, map->pairs);
-  map->image = {map->pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
-  return map;
+  to.pairs.clear();
+  if (as == MapAs::structure) from_structure(picture, wide, high, to.pairs);
+  else from_values(picture, wide, high, to.pairs);
+  to.maps.direction = {to.pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
+}
+
+void read_styles(const std::string& path, PictureMaps& to) {
+  const Pixmap picture = read_pixmap(path);
+  const uint32_t most = static_cast<uint32_t>(dapple::kMostImage);
+  const uint32_t wide = std::min(picture.width, most), high = std::min(picture.height, most);
+  to.styles.clear();
+  for (uint32_t j = 0; j < high; ++j)
+    for (uint32_t i = 0; i < wide; ++i)
+      for (uint32_t channel = 0; channel < 3; ++channel) {
+        uint64_t sum = 0, count = 0;
+        for (uint32_t y = j * picture.height / high; y < (j + 1) * picture.height / high; ++y)
+          for (uint32_t x = i * picture.width / wide; x < (i + 1) * picture.width / wide; ++x, ++count)
+            sum += picture.channels == 3 || channel == 0 ? picture.at(x, y, channel) : channel == 1 ? 128u : 255u;
+        to.styles.push_back(static_cast<uint8_t>((sum + count / 2) / count));
+      }
+  to.maps.style = {to.styles.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
 }
 
 }  // namespace cli

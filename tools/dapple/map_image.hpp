@@ -1,4 +1,4 @@
-// Directions from pictures, for map=@FILE.
+// Directions and styles from pictures, for map=@FILE and style=@FILE.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -16,12 +16,16 @@ namespace cli {
 enum class MapAs : uint8_t { structure, values };
 constexpr const char* kMapAs = "structure|values";
 
-struct MapImage {
+// The bytes that a recipe's stages point to.
+struct PictureMaps {
   std::vector<int8_t> pairs;
-  dapple::DirectionImage image;
+  std::vector<uint8_t> styles;
+  dapple::PlaceMaps maps{};
 };
 
-// Of a PGM or PPM file; fails where it cannot be read.
-std::shared_ptr<const MapImage> read_map(const std::string& path, MapAs as);
+// Of a PGM or PPM file; they fail where it cannot be read. Styles are red, green and blue; a grey picture is of
+// wavelengths.
+void read_map(const std::string& path, MapAs as, PictureMaps& to);
+void read_styles(const std::string& path, PictureMaps& to);
 
 }  // namespace cli
