@@ -159,6 +159,7 @@ void tell_need(Text& out, const Need& need, const dapple::Domain& domain) {
       out << "not for the endless plane: it would have to grow " << static_cast<int32_t>(need.halo)
           << " cells more on every side, and " << dapple::kWidestHalo << " are the most; a repeated tile needs none";
       return;
+    case dapple::bad_map: out << "map=image and solver=styled need images, which cannot be given here"; return;
     default: out << "the stages of the recipe do not fit each other; the last one must have level=0, after 'then refine'";
   }
 }
