@@ -35,9 +35,11 @@ struct CornerTile {
 
 constexpr uint32_t kCornerStream = 112;  // of the hash
 
-// The colour, 0 or 1, of the corner at the upper left of the floor's tile (x, y): the top bit of hash(seed, 112, x, y).
+// The colour, 0 or 1, of the corner at the upper left of the floor's tile (x, y). Corners 2 x 2 at a time have one of the fourteen
+// patterns of two colours, 1 + below(hash(seed, 112, floor(x / 2), floor(y / 2)), 14), so that four equal tiles never meet.
 constexpr uint8_t colour_at(uint32_t seed, int32_t x, int32_t y) {
-  return static_cast<uint8_t>(base::hash(seed, kCornerStream, x, y) >> 31);
+  const uint32_t pattern = 1 + base::below(base::hash(seed, kCornerStream, x >> 1, y >> 1), 14);
+  return static_cast<uint8_t>((pattern >> ((x & 1) + 2 * (y & 1))) & 1);
 }
 
 // The number of the tile with the corner colours `key` (left upper | right upper << 1 | left lower << 2 | right lower << 3) is

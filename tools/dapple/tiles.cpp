@@ -75,53 +75,48 @@ static uint16_t side_of(const Subject& subject, const Options& options) {
   return side;
 }
 
-// The rows of the sheet, painted; those of one row of every tile are kept.
+// The sheet, painted once it is grown.
 class Sheet {
  public:
-  Sheet(dapple::Texture& texture, uint16_t side, const Options& options) : texture_(texture), side_(side), rgb_(size_t{48} * side) {
-    brush_.view = options.view;
-    brush_.format = dapple::Pixels::rgb888;
-    brush_.y_down = options.flip_y;
+  explicit Sheet(uint16_t side) : side_(side), all_(static_cast<uint16_t>(4 * side)), rgb_(size_t{3} * all_ * all_) {}
+
+  void paint(dapple::Texture& texture, const Options& options) {
+    dapple::Brush brush;
+    brush.view = options.view;
+    brush.format = dapple::Pixels::rgb888;
+    brush.y_down = options.flip_y;
+    for (uint16_t y = 0; y < all_; ++y) texture.paint(y, brush, rgb_.data() + size_t{3} * all_ * y);
   }
 
   Picture whole() {
-    const uint16_t all = static_cast<uint16_t>(4 * side_);
-    return picture(all, all, [this](uint16_t y, uint8_t* rgb) { texture_.paint(y, brush_, rgb); });
+    return picture(all_, [this](uint16_t y, uint8_t* rgb) { std::memcpy(rgb, at(0, y), size_t{3} * all_); });
   }
-
   Picture tile(uint8_t number) {
-    return picture(side_, side_, [this, number](uint16_t y, uint8_t* rgb) {
-      texture_.paint(static_cast<uint16_t>((number >> 2) * side_ + y), brush_, rgb_.data());
-      std::memcpy(rgb, rgb_.data() + (number & 3) * line(), line());
-    });
+    return picture(side_, [this, number](uint16_t y, uint8_t* rgb) { copy_row(number & 3, number >> 2, y, rgb); });
   }
-
   Picture floor(uint32_t seed) {
-    const uint16_t all = static_cast<uint16_t>(kFloor * side_);
-    return picture(all, all, [this, seed](uint16_t y, uint8_t* rgb) {
+    return picture(static_cast<uint16_t>(kFloor * side_), [this, seed](uint16_t y, uint8_t* rgb) {
       for (uint16_t x = 0; x < kFloor; ++x) {
         const dapple::CornerTile tile = dapple::tile_at(seed, x, y / side_);
-        const uint16_t row = static_cast<uint16_t>(tile.row * side_ + y % side_);
-        texture_.paint(row, brush_, rgb_.data());
-        std::memcpy(rgb + x * line(), rgb_.data() + tile.column * line(), line());
+        copy_row(tile.column, tile.row, static_cast<uint16_t>(y % side_), rgb + size_t{3} * side_ * x);
       }
     });
   }
 
  private:
-  size_t line() const { return size_t{3} * side_; }
-  static Picture picture(uint16_t width, uint16_t height, std::function<void(uint16_t, uint8_t*)> row) {
+  const uint8_t* at(size_t x, size_t y) const { return rgb_.data() + 3 * (all_ * y + x); }
+  void copy_row(size_t column, size_t row, uint16_t y, uint8_t* rgb) const {
+    std::memcpy(rgb, at(column * side_, row * side_ + y), size_t{3} * side_);
+  }
+  static Picture picture(uint16_t side, std::function<void(uint16_t, uint8_t*)> row) {
     Picture p;
-    p.width = width;
-    p.height = height;
+    p.width = p.height = side;
     p.row = std::move(row);
     return p;
   }
 
-  dapple::Texture& texture_;
-  uint16_t side_;
+  uint16_t side_, all_;
   std::vector<uint8_t> rgb_;
-  dapple::Brush brush_;
 };
 
 // How to lay a floor, in C, for programs that have the pictures alone.
@@ -139,18 +134,19 @@ static std::string laying_text(const std::string& note, uint16_t side) {
          "  h = (h ^ h >> 15) * UINT32_C(0x846ca68b);\n"
          "  return h ^ h >> 16;\n"
          "}\n\n"
-         "static int colour_at(uint32_t seed, uint32_t x, uint32_t y) {\n"
+         "static int colour_at(uint32_t seed, int32_t column, int32_t row) {\n"
+         "  const uint32_t x = (uint32_t)((column - (column & 1)) / 2), y = (uint32_t)((row - (row & 1)) / 2);\n"
          "  const uint32_t base = mix(seed + UINT32_C(0x9e3779b9) * " + std::to_string(dapple::kCornerStream + 1) + "u);\n"
-         "  const uint32_t row = mix(base ^ y * UINT32_C(0x85ebca6b));\n"
-         "  uint32_t h = x * UINT32_C(0x9e3779b1) ^ row;\n"
-         "  h = (h ^ h >> 16) * UINT32_C(0x7feb352d) + mix(row + base);\n"
+         "  const uint32_t line = mix(base ^ y * UINT32_C(0x85ebca6b));\n"
+         "  uint32_t h = x * UINT32_C(0x9e3779b1) ^ line;\n"
+         "  h = (h ^ h >> 16) * UINT32_C(0x7feb352d) + mix(line + base);\n"
          "  h = (h ^ h >> 15) * UINT32_C(0x846ca68b);\n"
-         "  return (h ^ h >> 16) >> 31;\n"
+         "  return (int)((1 + ((h ^ h >> 16) >> 16) * 14 / 65536) >> ((column & 1) + 2 * (row & 1)) & 1);\n"
          "}\n\n"
          "static int tile_at(uint32_t seed, int32_t column, int32_t row) {\n"
-         "  const uint32_t x = (uint32_t)column, y = (uint32_t)row;\n"
-         "  const int key = colour_at(seed, x, y) | colour_at(seed, x + 1, y) << 1 | colour_at(seed, x, y + 1) << 2 |\n"
-         "                  colour_at(seed, x + 1, y + 1) << 3;\n"
+         "  const int32_t right = column == INT32_MAX ? INT32_MIN : column + 1, below = row == INT32_MAX ? INT32_MIN : row + 1;\n"
+         "  const int key = colour_at(seed, column, row) | colour_at(seed, right, row) << 1 |\n"
+         "                  colour_at(seed, column, below) << 2 | colour_at(seed, right, below) << 3;\n"
          "  return (int)(UINT64_C(0x" + table + ") >> (4 * key) & 15);\n"
          "}\n";
 }
@@ -169,7 +165,7 @@ void tiles(const Options& options) {
   file_options.output.clear();
   const Target target = target_of(file_options, "tile");
   Tile grown(subject, dapple::corner_tiles(side), options.seed, options.bands);
-  Sheet sheet(grown.texture(), side, options);
+  Sheet sheet(side);
   std::vector<std::pair<std::string, Picture>> pictures;
   for (uint8_t t = 0; t < 16; ++t) pictures.emplace_back(tile_name(t), sheet.tile(t));
   pictures.emplace_back("sheet", sheet.whole());
@@ -181,6 +177,7 @@ void tiles(const Options& options) {
   files.emplace_back(folder.file("tiles.txt"));
   Progress progress;
   grown.grow(options.budget, progress);
+  sheet.paint(grown.texture(), options);
   const std::string note = "Corner tiles, seed " + std::to_string(options.seed) + ", dapple " + version_text() + ": " + line_of(subject.recipe);
   for (size_t i = 0; i < pictures.size(); ++i) {
     pictures[i].second.name = pictures[i].first;
