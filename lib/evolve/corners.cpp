@@ -140,8 +140,12 @@ static void blend_row(const grid::Rows& rows) {
     blend_plane(tile_row(rows.out[plane], rows), band, rows.p[1], rows.p[0] == 1, classes);
 }
 
-static uint16_t band_now(const Context& c, const Solver& solver, const Start& start, Clock clock) {
-  return band_of(*c.model, c.number, band_width(solver.sharing, start.kind), clock, tile_side(*c.ground, c.level), c.level);
+static uint16_t band_of_percent(const Context& c, int32_t percent) {
+  return band_of(*c.model, c.number, percent, tile_side(*c.ground, c.level), c.level);
+}
+
+static uint16_t band_now(const Context& c, const Solver& solver, const Start& start) {
+  return band_of_percent(c, percent_at(band_width(solver.sharing, start.kind), c.clock));
 }
 
 // A sweep over all planes of the model, whose numbers the sweep has already if it needs them.
@@ -156,14 +160,14 @@ static void joint_sweep(const Context& c, grid::RowKernel row, uint16_t band, Sw
 
 static bool copies(const Context& c, const Solver& solver, const Start& start, Sweep& sweep) {
   if (c.clock.step != 0 || start.kind != Start::noise) return false;
-  joint_sweep(c, copy_first_row, band_now(c, solver, start, c.clock), sweep);
+  joint_sweep(c, copy_first_row, band_now(c, solver, start), sweep);
   return true;
 }
 
 static bool blends(const Context& c, const Solver& solver, const Start& start, Sweep& sweep) {
   const bool last = c.clock.step + 1 == c.clock.steps, state = solver.sharing == Sharing::state;
   if (!last && !(state && (c.clock.step + 1) % solver.sharing_steps == 0)) return false;
-  const uint16_t band = band_now(c, solver, start, {last ? c.clock.steps : c.clock.step, c.clock.steps});
+  const uint16_t band = last ? band_of_percent(c, band_width(solver.sharing, start.kind).blend) : band_now(c, solver, start);
   joint_sweep(c, blend_row, band, sweep);
   sweep.p[0] = state;
   sweep.p[1] = 65536 / (static_cast<int32_t>(band) - 1);
@@ -179,7 +183,7 @@ bool corners_next(const Context& context, const Solver& solver, const Start& sta
   if (cursor.part == 1) {
     if (solver.next(context, cursor, sweep)) {
       if (solver.sharing == Sharing::reaction && sweep.row == grid::choose(context.kernels, context.model->impulse)) {
-        joint_sweep(context, share_row, band_now(context, solver, start, context.clock), sweep);
+        joint_sweep(context, share_row, band_now(context, solver, start), sweep);
         sweep.part[0] = grid::choose(context.kernels, context.model->field);
         sweep.part[1] = grid::choose(context.kernels, context.model->decided);
       }
@@ -196,7 +200,7 @@ void corners_start_row(const start::Place& place, const Start& start, const Solv
                        uint16_t y, void* row) {
   const grid::Levels levels = context.model->levels(context.number, plane);
   if (start.kind == Start::noise) return start.row(place, start, levels, plane, y, row);
-  start::corner_seeds_row(place, start, levels, band_now(context, solver, start, {1, 1}), y, row);
+  start::corner_seeds_row(place, start, levels, band_of_percent(context, band_width(solver.sharing, start.kind).narrow), y, row);
 }
 
 }  // namespace dapple::evolve

@@ -26,23 +26,28 @@ constexpr uint16_t tile_side(const Ground& ground, uint8_t level) {
 }
 
 // Half the width of the bands around the edges, in percent of the wavelength: wide until .3 of the run, narrow from .7 on, so
-// that no pattern forms along the edges first. Seeds agree in a narrow band only.
+// that no pattern forms along the edges first; seeds agree in a narrow band only. The last blend keeps well within the band in
+// which the reaction was shared: what it has to make equal dies away inwards from the band's border.
 struct BandWidth {
-  uint8_t wide, narrow;
+  uint8_t wide, narrow, blend;
 };
 constexpr BandWidth band_width(Sharing sharing, Start::Kind start) {
-  if (sharing == Sharing::state) return {135, 90};
-  return start == Start::noise ? BandWidth{125, 50} : BandWidth{75, 75};
+  if (sharing == Sharing::state) return {135, 90, 90};
+  return start == Start::noise ? BandWidth{125, 90, 50} : BandWidth{75, 75, 50};
 }
 
 constexpr uint8_t kThinnestBand = 4;  // cells: two that agree, two of passage
 
-// The same in cells of the stage's grid, at most .45 of the tile's side.
-constexpr uint16_t band_of(const Model& model, const int32_t* number, BandWidth width, Clock clock, uint16_t side, uint8_t level) {
+// In percent of the wavelength, at a step.
+constexpr int32_t percent_at(BandWidth width, Clock clock) {
   const int64_t all = clock.steps, at = 10 * static_cast<int64_t>(clock.step);
   const int64_t left = at <= 3 * all ? 4 * all : at >= 7 * all ? 0 : 7 * all - at;  // of 4 all
-  const int64_t more = all > 0 ? (width.wide - width.narrow) * left / (4 * all) : 0;
-  const int64_t cells = (static_cast<int64_t>(model.wavelength(number)) * (width.narrow + more) / (100 * INT64_C(1000000))) >> level;
+  return static_cast<int32_t>(width.narrow + (width.wide - width.narrow) * left / (all > 0 ? 4 * all : 1));
+}
+
+// In cells of the stage's grid, at most .45 of the tile's side.
+constexpr uint16_t band_of(const Model& model, const int32_t* number, int32_t percent, uint16_t side, uint8_t level) {
+  const int64_t cells = (static_cast<int64_t>(model.wavelength(number)) * percent / (100 * INT64_C(1000000))) >> level;
   const int64_t most = static_cast<int64_t>(side) * 45 / 100;
   const int64_t thick = cells < kThinnestBand ? kThinnestBand : cells;
   return static_cast<uint16_t>(thick > most ? most : thick);
