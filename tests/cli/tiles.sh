@@ -49,6 +49,7 @@ test_names() {
 }
 
 test_refusals() {
+  rm -rf -- *
   refused 2 "zebra-bits" "endless plane" -- zebra-bits -o set
   refused 2 "fingerprint" "endless plane" -- fingerprint -o set
   refused 2 "cells" "texture" "endless plane" -- "cells rule=3" -o set
