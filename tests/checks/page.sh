@@ -17,9 +17,11 @@ if [ ! -d "$build/playwright/node_modules/playwright-core" ]; then
   npm install --prefer-offline --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||
     { echo "npm cannot install playwright-core: $(tail -3 "$scratch/npm")"; exit 1; }
 fi
-"$build/dapple" grow zebra-bits --at 128,-256 --size 128x128 --seed 1337 --format raw --pixels rgba8888 -o "$scratch/chunk" ||
-  { echo "no native chunk to compare with"; exit 1; }
+mkdir "$scratch/native"
+{ "$build/dapple" grow zebra-bits --at 128,-256 --size 128x128 --seed 1337 --format raw --pixels rgba8888 -o "$scratch/native/chunk" &&
+  "$build/dapple" grow zebra-bits --size 96x64 --seed 1337 --format raw --pixels rgb565 -o "$scratch/native/tile" &&
+  "$build/dapple" list > "$scratch/native/list"; } || { echo "nothing native to compare with"; exit 1; }
 NODE_PATH=$build/playwright/node_modules CHROMIUM=$(command -v chromium) \
-  timeout 150 node "$root/tests/page/page.mjs" "$build/page/index.html" "$root/tests/golden/presets.txt" "$scratch/chunk" \
+  timeout 400 node "$root/tests/page/page.mjs" "$build/page/index.html" "$root/tests/golden/presets.txt" "$scratch/native" \
   "$build/page" || fail "the page in Chromium"
 finish
