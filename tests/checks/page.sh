@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The browser page: built, then used in headless Chromium; its bytes are the goldens' and the command line's.
+# The browser page: built, then used in headless Chromium; its bytes are the goldens' and the command line's. The module may
+# take 70 KiB with five families, and 8 KiB more for each one that comes.
 #   page.sh [BUILD]
 #   page.sh --packages    what tests/run installs for it
 # SPDX-License-Identifier: MIT
@@ -13,6 +14,11 @@ build=$(cd "${1:-$root/build}" && pwd)
 [ -x "$build/dapple" ] || { echo "$build/dapple is missing: configure with -DDAPPLE_TOOLS=ON and build"; exit 1; }
 
 "$root/ports/wasm/build" "$build" || { echo "the module does not build"; exit 1; }
+families=$(grep -c '^ *{"[a-z-]*", &[a-z_]*_model,' "$root/lib/recipe/recipe.hpp")
+bytes=$(wc -c < "$build/wasm/dapple.wasm") most=$(((70 + 8 * (families - 5)) * 1024))
+echo "$bytes of at most $most bytes for $families families"
+[ "$families" -ge 5 ] && [ "$bytes" -le "$most" ] || fail "the module has $bytes bytes; $most are the most for $families families"
+
 if [ ! -d "$build/playwright/node_modules/playwright-core" ]; then
   npm install --prefer-offline --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||
     { echo "npm cannot install playwright-core: $(tail -3 "$scratch/npm")"; exit 1; }
