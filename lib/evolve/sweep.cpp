@@ -131,7 +131,7 @@ static void load_ahead(const Field& field, const Sweep& sweep, const Windows& w,
 }
 
 // The kernel's rows: in[plane * ring + k] is the old row k - r places away, out[plane] the plane's own row.
-DAPPLE_APART static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, uint8_t ring, grid::Rows& rows) {
+static void set_rows(const Field& field, const Sweep& sweep, const Windows& w, const Band& band, uint8_t ring, grid::Rows& rows) {
   const size_t skip = grid::cell_bytes(field.cell, rows.x);
   uint8_t* out = row_of(field, sweep.first, band.y) + skip;
   for (uint8_t i = 0; i < sweep.count; ++i, out += field.plane_bytes) rows.out[i] = out;
@@ -193,8 +193,8 @@ DAPPLE_APART static uint32_t run_three(const Field& field, const Sweep& sweep, c
   return count;
 }
 
-// A kernel's own scratch memory, behind the windows of the planes. Apart: clang for AVR loses the product at -O1 and -O2, where
-// it is short of registers (ports/avr/README.md).
+// A kernel's own scratch memory, behind the windows of the planes. Apart: clang for AVR loses the product at -O1 and -O2,
+// where it is short of registers (ports/avr/README.md).
 DAPPLE_APART static uint8_t* kernel_scratch(const Field& field, const Sweep& sweep, size_t window_bytes, uint8_t index) {
   return field.scratch + index * field.band_bytes + (sweep.radius == 0 ? 0 : window_bytes * sweep.count);
 }
