@@ -132,7 +132,7 @@ run_riscv_e() { run_riscv "$1" 32 - - rv32,e=on,i=off,h=off,m=off,a=off,f=off,d=
 # shellcheck disable=SC2086
 build_avr() {
   (cd "$root" && clang++-16 --target=avr "-mmcu=$1" $plain "$2" $options -Wl,--gc-sections \
-    ports/avr/host.cpp "${files[@]}" -o "$out/program")
+    ports/avr/host.cpp "${files[@]}" -o "$out/program" && ports/avr/check "$out/program")
 }
 
 # simavr ends a line with a dot and the end of a colour.

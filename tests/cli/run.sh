@@ -280,7 +280,7 @@ test_recipe_errors() {
   refused 2 wavelength "out of range" -- grow zebra wavelength=300
   refused 2 fine levels -- grow zebra fine=3
   refused 2 "level 1" "level=0" -- grow zebra level=1
-  refused 2 "'thershold pairs=2'" "threshold, gray-scott" -- grow 'thershold pairs=2'
+  refused 2 "'thershold pairs=2'" "threshold, mapped, gray-scott" -- grow 'thershold pairs=2'
   refused 2 "5013 characters" 4000 -- grow "threshold $(printf '%5003s' '')"
   refused 2 "'zebra?rho=9'" -- grow "$(printf 'zebra\nrho=9')"
   local name
