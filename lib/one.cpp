@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/math.cpp"
 #include "grid/rows.cpp"
+#include "start/corner_seeds.cpp"
 #include "start/noise.cpp"
 #include "start/seeds.cpp"
 #include "stencil/convolve.cpp"
@@ -19,6 +20,7 @@
 #include "paint/pack.cpp"
 #include "paint/shade.cpp"
 #include "evolve/convolution.cpp"
+#include "evolve/corners.cpp"
 #include "evolve/euler.cpp"
 #include "evolve/field.cpp"
 #include "evolve/flux.cpp"

@@ -83,6 +83,13 @@ void impulse_row(const grid::Rows& rows) {
   for (uint8_t i = 0; i < rows.planes; ++i) decay(out16(rows, i), most, rows.n);
 }
 
+void decided_row(const grid::Rows& rows) {
+  i16* const amount = reinterpret_cast<i16*>(rows.scratch);
+  grid::copy_bytes(amount, rows.in[0], static_cast<size_t>(rows.n) * 2);
+  switch_on(amount, rows.n, static_cast<i16>(rows.p[2]), static_cast<i16>(rows.p[3]));
+  for (uint8_t i = 0; i < rows.planes; ++i) decay(out16(rows, i), amount, rows.n);
+}
+
 // |rho| <= 1600 + 8 * 128; amount (share + 1) <= 3147 * 256.
 static void switch_styled(i16* DAPPLE_RESTRICT field, const i16* DAPPLE_RESTRICT style, uint16_t n, i16 rho, i16 amount) {
   for (uint16_t x = 0; x < n; ++x) {

@@ -98,6 +98,7 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
 void impulse_row(const grid::Rows& rows);
 // The same with a style for every cell, in the last plane: steps of kUnit / 1000 on rho in its high byte, the share of k in its low one.
 void impulse_styled_row(const grid::Rows& rows);
+void decided_row(const grid::Rows& rows);
 void react_row(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
 
@@ -108,5 +109,5 @@ inline constexpr Model threshold_model DAPPLE_ROM = {
     grid::Cell::int16,        0,                      threshold::kUnit,    2,
     threshold::in_range,      threshold::planes,      threshold::tensor,      threshold::levels,   threshold::wavelength,
     threshold::cell_level,    threshold::values,      threshold::impulse_row, threshold::react_row,
-    nullptr,                  threshold::field_row};
+    nullptr,                  threshold::field_row,     false,               threshold::decided_row};
 }  // namespace dapple

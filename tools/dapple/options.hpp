@@ -10,8 +10,10 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32 };
-constexpr unsigned kTakesSubject = in_grow | in_info | in_stream;  // NAME|RECIPE [key=value ...]
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64 };
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles;  // NAME|RECIPE [key=value ...]
+
+constexpr uint16_t kLargestSheetTile = 8191;  // of tiles: the preview has eight, and at most 65535 pixels
 
 // A pixel of the endless plane.
 struct Place {
