@@ -13,6 +13,7 @@
 // two textures never share anything, so they may run on two threads.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "evolve/corners.hpp"
 #include "evolve/field.hpp"
 #include "evolve/work.hpp"
 #include "paint/mip.hpp"
@@ -57,12 +58,13 @@ constexpr uint16_t side(int64_t micro) {
   return static_cast<uint16_t>(cells < kSmallestSide ? kSmallestSide : cells > 65535 ? 65535 : cells);
 }
 
-// Two wavelengths of the coarsest-grained stage; one and a half pitches of seeds (two columns, two rows of discs).
-constexpr void smallest(const Recipe& recipe, Need& need) {
+// Two wavelengths of the coarsest-grained stage, three of a corner tile; one and a half pitches of seeds (two columns, two rows
+// of discs).
+constexpr void smallest(const Recipe& recipe, uint8_t lengths, Need& need) {
   int64_t wide = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const int64_t length = (2 * static_cast<int64_t>(s.model->wavelength(s.number))) << (s.model->coarse ? s.level : 0);
+    const int64_t length = (lengths * static_cast<int64_t>(s.model->wavelength(s.number))) << (s.model->coarse ? s.level : 0);
     wide = length > wide ? length : wide;
   }
   int64_t high = wide;
@@ -115,12 +117,33 @@ constexpr Status check_window(const Domain& d, Need& need) {
   return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
+// Of corner tiles, which are a square torus: need speaks of all of them, four either way.
+constexpr Status check_corners(const Recipe& recipe, const Domain& domain, Need& need) {
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.steps == 0 || s.solver->sharing == evolve::Sharing::none || s.model->cell != grid::Cell::int16) return no_corners;
+  }
+  smallest(recipe, 3, need);
+  const uint16_t side = need.width > need.height ? need.width : need.height;
+  need.width = need.height = static_cast<uint16_t>(side > 65535 / grid::kTilesAcross ? 65535 : grid::kTilesAcross * side);
+  need.multiple = static_cast<uint16_t>(grid::kTilesAcross * need.multiple);
+  return domain.plane || domain.width != domain.height || domain.x != 0 || domain.y != 0 ? bad_side : ok;
+}
+
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
   if (!good_stages(recipe)) return bad_recipe;
   if (bands < 1 || bands > kMaxBands) return bad_bands;
   need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
-  smallest(recipe, need);
+  smallest(recipe, 2, need);
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+  }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
+  if (domain.corners != nullptr) {
+    const Status status = check_corners(recipe, domain, need);
+    if (status != ok) return status;
+  }
   if (domain.plane) {
     need.halo = halo_of(recipe);
     return check_window(domain, need);
@@ -136,17 +159,30 @@ constexpr grid::Ground ground_of(const Domain& domain, const Need& need) {
   return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.multiple);
 }
 
-constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& ground, bool plane, uint8_t bands, Need& need) {
-  uint32_t spent = 0;
+// What corner tiles take of a stage beside its solver's own. A sweep over the rows of a tile stands for one over all of them.
+constexpr void add_corners(const Recipe& recipe, const Stage& stage, const grid::Ground& ground, uint32_t before, Need& need) {
+  uint32_t all = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) all += recipe.stage[i].steps;
+  const uint32_t sweeps = evolve::corner_sweeps(*stage.solver, stage.steps, before, all, recipe.start.kind);
+  const uint32_t replaced = stage.solver->sharing == evolve::Sharing::reaction ? stage.steps : 0;
+  const uint16_t side = evolve::tile_side(ground, stage.level);
+  need.sweeps += sweeps - replaced;
+  need.rows += static_cast<uint64_t>(sweeps) * side - static_cast<uint64_t>(replaced) * side * grid::kTilesAcross;
+}
+
+constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& ground, const Domain& domain, uint8_t bands, Need& need) {
+  uint32_t spent = 0, steps = 0;
   evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands);
+    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands, domain.corners != nullptr ? evolve::corner_rows(*s.solver) : uint8_t{0});
     const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
-    need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
-    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps;
+    need.rows += evolve::work_rows(s, *s.model, reach, ground, domain.plane, spent);
+    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps + (s.steps > 0 ? reach.once : 0u);
+    if (domain.corners != nullptr) add_corners(recipe, s, ground, steps, need);
+    steps += s.steps;
   }
   return parts;
 }
@@ -170,7 +206,7 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
   need.status = check(recipe, domain, bands, need);
   if (need.status != ok) return need;
   const grid::Ground ground = ground_of(domain, need);
-  parts = parts_of(recipe, ground, domain.plane, bands, need);
+  parts = parts_of(recipe, ground, domain, bands, need);
   need.planes = parts.planes;
   need.scratch = parts.scratch;
   need.paint = paint_bytes(recipe, with_edge(domain), ground);
@@ -184,6 +220,13 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 }  // namespace api
+
+// Hands the directions of map=image and the styles of solver=styled to every stage of a recipe. begin looks at them, and answers bad_map
+// where they are wanted and missing, or of a size out of range.
+constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
+  for (uint8_t i = 0; i < recipe.stages; ++i)
+    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
+}
 
 // What `recipe` needs on `domain`: constexpr where the recipe is.
 constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {

@@ -1,6 +1,6 @@
 // The stepper: an explicit state machine over phases, stages, steps, sweeps, bands and rows.
 // SPDX-License-Identifier: MIT
-#include "run.hpp"
+#include "corners.hpp"
 
 namespace dapple::evolve {
 
@@ -29,7 +29,7 @@ static void set_clock(Run& run) {
 }
 
 static Context context_of(const Run& run) {
-  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored};
+  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0};
 }
 
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.
@@ -39,6 +39,7 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.solver = rom_load(run.stage.solver);
   run.step = 0;
   run.cursor.sweep = 0;
+  run.cursor.part = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
   run.field_radius = 0;
@@ -95,8 +96,12 @@ DAPPLE_APART static void start_one_row(Run& run) {
                               run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed};
   const uint8_t planes = run.model.planes(run.stage.number);
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
-  const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
-  start.row(place, start, levels, run.at_plane, run.at_row, row);
+  if (run.domain.corners != nullptr) {
+    rom_load(run.domain.corners).start_row(place, start, run.solver, context_of(run), run.at_plane, run.at_row, row);
+  } else {
+    const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
+    start.row(place, start, levels, run.at_plane, run.at_row, row);
+  }
   if (++run.at_row < run.field.height) return;
   run.at_row = 0;
   if (++run.at_plane == planes) run.phase = Phase::sweeping;
@@ -120,6 +125,12 @@ static void set_margin(Run& run, bool first) {
   if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
 }
 
+static bool next_sweep(Run& run) {
+  run.sweep.tile = 0;
+  if (run.domain.corners == nullptr) return run.solver.next(context_of(run), run.cursor, run.sweep);
+  return rom_load(run.domain.corners).next(context_of(run), run.solver, load_start(run.plan), run.cursor, run.sweep);
+}
+
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.
 DAPPLE_APART static void open_sweep(Run& run) {
   if (run.step == run.stage.steps) {
@@ -130,7 +141,7 @@ DAPPLE_APART static void open_sweep(Run& run) {
     return;
   }
   const bool first = run.cursor.sweep == 0;
-  if (run.solver.next(context_of(run), run.cursor, run.sweep)) {
+  if (next_sweep(run)) {
     run.at_band = 0;
     set_margin(run, first);
     begin_sweep(run.field, run.sweep, run.band);

@@ -82,10 +82,12 @@ struct Parts {
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
 
-// Adds what a stage needs to the parts.
-constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands) {
+// Adds what a stage needs to the parts: `rows16` more work rows than its solver asks for.
+constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands,
+                         uint8_t rows16 = 0) {
   const uint16_t width = at_level(d.width, stage.level);
-  const Reach reach = solver.reach(model, stage.number, stage.level);
+  Reach reach = solver.reach(model, stage.number, stage.level);
+  reach.rows16 = static_cast<uint8_t>(reach.rows16 + rows16);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
   const uint16_t height = at_level(d.height, stage.level);
@@ -96,7 +98,7 @@ constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, c
   parts.fits = parts.fits && base::add_bytes(scratch, bands, band) &&
                base::add_bytes(planes, height, grid::row_bytes(model.cell, width));
   size_t all = 0;
-  parts.fits = parts.fits && base::add_bytes(all, model.planes(stage.number), planes);
+  parts.fits = parts.fits && base::add_bytes(all, static_cast<size_t>(model.planes(stage.number)) + reach.kept, planes);
   parts.planes = all > parts.planes ? all : parts.planes;
   parts.scratch = scratch > parts.scratch ? scratch : parts.scratch;
   const size_t table = sizeof(int32_t) * reach.table;
@@ -110,6 +112,7 @@ constexpr bool leaves_margin(const Reach& reach) { return reach.sweeps == 1 && r
 constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach& reach, const Ground& ground, bool plane, uint32_t& spent) {
   const uint16_t height = at_level(ground.height, stage.level);
   uint64_t total = static_cast<uint64_t>(stage.steps) * reach.sweeps * height;
+  if (stage.steps > 0) total += static_cast<uint64_t>(reach.once) * height;
   if (stage.entry == Entry::start) total += static_cast<uint64_t>(model.planes(stage.number)) * height;
   if (stage.entry == Entry::refine) total += height / 2u;
   for (uint32_t step = 0; plane && step < stage.steps; ++step) {

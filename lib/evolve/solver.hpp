@@ -19,6 +19,7 @@ struct Sweep {
   uint16_t halo;            // cells
   int32_t p[kMaxValues];    // handed to the kernel
   uint16_t margin = 0;      // rows and cells at every edge of the grid that are left as they are (windows of the plane)
+  uint16_t tile = 0;        // corner tiles: only rows y < tile are visited; the kernel does y + tile k, k = 0..3, of them
 };
 
 // Where a solver is within one time step. Plain state: it can be copied and resumed.
@@ -27,6 +28,7 @@ struct Cursor {
   uint8_t plane, direction;   // gaussian: what comes next
   stencil::PassSeries series;
   stencil::Lattice lattice;
+  uint8_t part;               // corner tiles: of the step, see corners.cpp
 };
 
 // What a solver is asked about: a model with its numbers on a grid coarser by 2^level.
@@ -41,6 +43,7 @@ struct Context {
   bool plane;
   uint32_t seed;
   const void* stored;  // Stage::stored
+  bool first;          // the stage's first step
 };
 
 // What a solver needs of the scratch memory.
@@ -56,6 +59,15 @@ struct Reach {
   uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
   uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
   uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
+  uint8_t kept = 0;          // planes the solver keeps behind the model's own
+  uint8_t once = 0;          // sweeps more in the first step of a stage
+};
+
+// What corner tiles agree on while they grow.
+enum class Sharing : uint8_t {
+  none,      // cannot be
+  reaction,  // the solver has a sweep of the model's `impulse` alone: the tiles decide together where it is on
+  state,     // the planes are blended now and then
 };
 
 struct Solver {
@@ -67,6 +79,10 @@ struct Solver {
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
   // out[0] the field of the stage's grid, which is then enlarged bilinearly.
   grid::RowKernel field = nullptr;
+  // Whether Stage::stored is what these numbers need; null: nothing is wanted.
+  bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
+  Sharing sharing = Sharing::none;
+  uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.
@@ -110,7 +126,7 @@ constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_
   return reach;
 }
 bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next};
+inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next, nullptr, nullptr, nullptr, Sharing::reaction};
 
 // --- euler: the explicit step of eq. (5), all planes in one sweep; sub-steps per macro step as stability asks. -------
 // b dt = 1/2 is divided by m so that dt (4 tr A + b) <= 1.7, beyond which the threshold feeds the checkerboard.
@@ -130,7 +146,7 @@ constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t l
   return {planes, 1, 1, model.work_rows, planes, 0, steps, 1, static_cast<uint16_t>(3 * planes), steps};
 }
 bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next};
+inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next, nullptr, nullptr, nullptr, Sharing::state, 1};
 
 // --- kinetic: one explicit step of dt = 1 with the five-point stencil in int16. -------------------------------------
 constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t) {
@@ -138,7 +154,7 @@ constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t
   return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next};
+inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next, nullptr, nullptr, nullptr, Sharing::state, 16};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------
 constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t) {

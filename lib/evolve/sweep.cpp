@@ -64,7 +64,7 @@ static void save_edges(const Field& field, const Sweep& sweep, const Windows& w,
 // The first position of band `index`; of one past the last: the end. A margin is left out, which only sweeps over
 // neighbouring rows have.
 static uint16_t first_of(const Field& field, const Sweep& sweep, uint8_t index) {
-  const uint32_t rows = static_cast<uint32_t>(field.height) - 2u * sweep.margin;
+  const uint32_t rows = sweep.tile > 0 ? sweep.tile : static_cast<uint32_t>(field.height) - 2u * sweep.margin;
   return static_cast<uint16_t>(sweep.margin + rows * index / field.bands);
 }
 
@@ -162,7 +162,7 @@ static void move_on(const Order& order, uint16_t height, uint8_t ring, Band& ban
 
 // The same rows as the loop of run_band, for the sweep that matters most: one plane, one row either side, away from the
 // coset's end. Pointers move instead of being made afresh.
-static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
+DAPPLE_APART static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
                           Band& band, uint32_t rows) {
   const uint32_t left = static_cast<uint32_t>(band.stop) - band.index;
   const uint32_t count = left - 1 < rows ? left - 1 : rows;
@@ -193,6 +193,12 @@ static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows&
   return count;
 }
 
+// A kernel's own scratch memory, behind the windows of the planes. Apart: clang for AVR loses the product at -O1 and -O2,
+// where it is short of registers (ports/avr/README.md).
+DAPPLE_APART static uint8_t* kernel_scratch(const Field& field, const Sweep& sweep, size_t window_bytes, uint8_t index) {
+  return field.scratch + index * field.band_bytes + (sweep.radius == 0 ? 0 : window_bytes * sweep.count);
+}
+
 uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, uint8_t index, Band& band, uint32_t rows) {
   const Order order = order_of(field, sweep);
   const Windows w = windows_of(field, sweep, index);
@@ -205,7 +211,7 @@ uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, 
   call.x = static_cast<uint16_t>(sweep.margin & ~31u);  // whole words; rows stay aligned
   call.n = static_cast<uint16_t>(field.width - sweep.margin - call.x);
   call.planes = sweep.count;
-  call.scratch = field.scratch + index * field.band_bytes + (sweep.radius == 0 ? 0 : w.plane * sweep.count);
+  call.scratch = kernel_scratch(field, sweep, w.plane, index);
   uint32_t done = 0;
   for (; done < rows && band.next < band.end; ++done) {
     if (sweep.radius > 0) {

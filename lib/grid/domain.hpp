@@ -3,6 +3,10 @@
 #pragma once
 #include "../base/fixed.hpp"
 
+namespace dapple::evolve {
+struct Corners;
+}
+
 namespace dapple {
 
 constexpr uint16_t kSmallestSide = 8;  // cells of a domain, either direction; the largest side is 65535
@@ -12,10 +16,12 @@ constexpr uint16_t kSmallestSide = 8;  // cells of a domain, either direction; t
 // coarsest grid asks of the sides.
 // A window shows the cells (x, y) .. (x + width - 1, y + height - 1) of the infinite plane; it holds the same bits as that
 // part of any other window. Its cells lie within -kFarthest .. kFarthest.
+// Corner tiles are a torus too, a square one of 4 x 4 tiles that agree where they may meet: see corners.hpp.
 struct Domain {
   uint16_t width, height;
   int32_t x, y;
   bool plane;
+  const evolve::Corners* corners = nullptr;  // what makes tiles agree: firmware without them links none of it
 };
 
 constexpr int32_t kFarthest = INT32_C(1) << 30;

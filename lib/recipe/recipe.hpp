@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../evolve/convolution.hpp"
+#include "../evolve/flux.hpp"
 #include "../evolve/refine.hpp"
 #include "../evolve/run.hpp"
 #include "../evolve/steering.hpp"
@@ -37,7 +38,7 @@ struct Family {
   const Number* numbers;
   uint8_t number_count;
   const char* solver_names;  // separated by '|'; multigrid is the first one over several grids (levels.hpp)
-  const evolve::Solver* solvers[2];
+  const evolve::Solver* solvers[3];
   uint32_t steps;
   Start start;
   int32_t low, high;
@@ -52,6 +53,9 @@ template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n;
 inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler|multigrid",
      {&evolve::gaussian, &evolve::euler}, 32,
+     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
+    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled",
+     {&evolve::flux, &evolve::lean_flux, &evolve::styled}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,

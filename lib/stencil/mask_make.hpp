@@ -214,10 +214,10 @@ constexpr bool make_set(const Mask* masks, uint8_t count, bool running, MaskSet&
 
 constexpr bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, bool running, MaskSet& set) {
   Mask masks[kMaxMasks] = {};
-  const uint8_t made = summed ? 1 : count;
-  for (uint8_t i = 0; i < made; ++i)
-    if (!make_mask(shapes + i, summed ? count : 1, masks[i])) return false;
-  return make_set(masks, made, running, set);
+  if (summed) return make_mask(shapes, count, masks[0]) && make_set(masks, 1, running, set);
+  for (uint8_t i = 0; i < count; ++i)
+    if (!make_mask(shapes + i, 1, masks[i])) return false;
+  return make_set(masks, count, running, set);
 }
 
 constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) {

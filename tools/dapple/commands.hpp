@@ -11,6 +11,7 @@ void info(const Options& options);
 void sheet(const Options& options);
 void rule(const Options& options);
 void stream(const Options& options);
+void tiles(const Options& options);
 
 // Text as a JSON string.
 std::string json_text(const std::string& text);

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "image.hpp"
+#include "map_image.hpp"
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32 };
-constexpr unsigned kTakesSubject = in_grow | in_info | in_stream;  // NAME|RECIPE [key=value ...]
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64 };
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles;  // NAME|RECIPE [key=value ...]
+
+constexpr uint16_t kLargestSheetTile = 8191;  // of tiles: the preview has eight, and at most 65535 pixels
 
 // A pixel of the endless plane.
 struct Place {
@@ -24,6 +27,7 @@ struct Options {
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
   std::optional<uint32_t> steps;
+  MapAs map_as = MapAs::structure;  // how map=@FILE is read
   std::string output;  // empty: after the subject
   std::string maps;    // the folder of a material's maps; empty: one picture
   std::optional<Format> format;

@@ -34,9 +34,9 @@ void Output::remove_and_end(int signal) {
 Folder::Folder(const std::string& path) : path_(path) {
   std::error_code error;
   if (files::is_directory(path, error)) return;
-  made_ = files::create_directory(path, error);
-  if (!made_)
-    fail("cannot make the folder " + shown(path) + ": " + (error ? error.message() : "there is a file of that name"));
+  if (files::exists(path, error)) fail("cannot make the folder " + shown(path) + ": a file has that name");
+  if (!files::create_directory(path, error)) fail("cannot make the folder " + shown(path) + ": " + error.message());
+  made_ = true;
   unfinished_folder = path_.c_str();
 }
 
