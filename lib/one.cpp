@@ -16,6 +16,7 @@
 #include "model/threshold.cpp"
 #include "paint/pack.cpp"
 #include "paint/shade.cpp"
+#include "evolve/blocks.cpp"
 #include "evolve/convolution.cpp"
 #include "evolve/euler.cpp"
 #include "evolve/field.cpp"
