@@ -37,8 +37,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
     return ok;
   }
   blocks_ = evolve::blocks_in(setup.memory, parts);
-  const evolve::BlockPlan blocks = evolve::block_plan(checked.start, checked.stage, checked.stages);
-  rows_in_all_ = base::rom_load(checked.blocks).begin(*blocks_, blocks, setup, options.kept, options.again, run_);
+  rows_in_all_ = checked.blocks->begin(api::growth_of(checked), setup, options.kept, options.again, run_);
   return ok;
 }
 
@@ -71,10 +70,7 @@ void Texture::lay_out(const evolve::Setup& setup, const Recipe* recipe, const Do
 }
 
 Status Texture::step(uint32_t rows) {
-  if (blocks_ == nullptr) return evolve::advance(run_, rows) ? more : done;
-  const Recipe* const recipe = recipe_;
-  const evolve::BlockWork work = base::rom_load(rom_ ? base::rom_load(&recipe->blocks) : recipe->blocks);
-  return work.advance(*blocks_, run_, rows) ? more : done;
+  return (blocks_ == nullptr ? evolve::advance(run_, rows) : blocks_->advance(*blocks_, run_, rows)) ? more : done;
 }
 
 // Forgets the rows at hand if anything has moved since they were made.

@@ -120,12 +120,14 @@ constexpr Status check_window(const Domain& d, Need& need) {
   return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
+constexpr evolve::Growth growth_of(const Recipe& recipe) { return {&recipe.start, recipe.stage, recipe.stages}; }
+
 // A window in blocks is grown in the reach of its shading.
 constexpr void check_blocks(const Recipe& recipe, Need& need) {
   if (recipe.blocks == nullptr || need.halo <= kBlockHalo) return;
-  const Stage& last = recipe.stage[recipe.stages - 1];
-  need.block = evolve::block_grid(evolve::pattern_length(recipe.start, recipe.stage, recipe.stages)).side;
-  need.halo = evolve::shading_reach(*last.model, last.number, 0).spread;
+  const evolve::BlockShape shape = recipe.blocks->shape(growth_of(recipe));
+  need.block = shape.side;
+  need.halo = shape.halo;
 }
 
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
@@ -167,17 +169,11 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
 
 // The same of a window in blocks.
 constexpr evolve::Parts block_parts_of(const Recipe& recipe, const grid::Ground& ground, uint8_t bands, uint16_t kept, Need& need) {
-  evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
-  const evolve::BlockPlan plan = evolve::block_plan(recipe.start, recipe.stage, recipe.stages);
-  evolve::add_blocks(parts, plan, ground, bands, kept);
-  const evolve::Reach reach = evolve::shading_reach(*plan.shade.model, plan.shade.number, 0);
-  const evolve::Cover cover = evolve::cover_of(plan.grid, evolve::box_of(ground));
-  need.reach = reach.stride;
-  need.sweeps = reach.sweeps;
-  need.rows = evolve::shade_rows(plan, ground);
-  for (uint8_t layer = 0; layer < evolve::kLayers; ++layer)
-    need.rows += evolve::count_of(cover, layer) * evolve::block_rows(plan, layer);
-  return parts;
+  const evolve::BlockNeed blocks = recipe.blocks->need(growth_of(recipe), ground, bands, kept);
+  need.reach = blocks.stride;
+  need.sweeps = blocks.sweeps;
+  need.rows = blocks.rows;
+  return blocks.parts;
 }
 
 // Three rows of the field with a halo of one, and what it takes to make one: the most of any stage.

@@ -166,35 +166,6 @@ static void open_next(Blocks& b, Run& run) {
   else open_window(b, run);
 }
 
-uint64_t begin_blocks(Blocks& b, const BlockPlan& plan, const Setup& setup, uint16_t kept, bool again, Run& run) {
-  b.plan = plan;
-  b.setup = setup;
-  b.plan.again.stored = b.plan.shade.stored = &b.given;
-  b.cover = cover_of(plan.grid, box_of(setup.ground));
-  b.across = static_cast<uint16_t>(most_chunks(plan.grid, static_cast<uint32_t>(setup.ground.width) + kept));
-  b.down = static_cast<uint16_t>(most_chunks(plan.grid, static_cast<uint32_t>(setup.ground.height) + kept));
-  b.record_bytes = layer_offset(plan.grid, kLayers);
-  const size_t records = static_cast<size_t>(b.across) * b.down;
-  b.records = reinterpret_cast<uint8_t*>(&b + 1);
-  b.bits = b.records + records * b.record_bytes;
-  for (size_t i = 0; !again && i < records; ++i) *reinterpret_cast<Decided*>(b.records + i * b.record_bytes) = {0, 0, 0};
-  claim(b);
-  uint64_t rows = shade_rows(plan, setup.ground);
-  for (uint8_t layer = 0; layer < kLayers; ++layer) {
-    const uint64_t each = block_rows(plan, layer);
-    b.layer = layer;
-    for (b.y = b.cover.y[layer].first; b.y <= b.cover.y[layer].last; ++b.y)
-      for (b.x = b.cover.x[layer].first; b.x <= b.cover.x[layer].last; ++b.x)
-        if (!is_decided(b)) rows += each;
-  }
-  run.rows = 0;
-  b.layer = 0;
-  b.x = b.cover.x[0].first;
-  b.y = b.cover.y[0].first;
-  open_next(b, run);
-  return rows;
-}
-
 // Up to `rows` rows of what the block at work is about; moves on when it is through.
 static uint32_t work(Blocks& b, Run& run, uint32_t rows) {
   const uint64_t before = run.rows;
@@ -221,12 +192,43 @@ static uint32_t work(Blocks& b, Run& run, uint32_t rows) {
   return static_cast<uint32_t>(run.rows - before);
 }
 
-bool advance_blocks(Blocks& b, Run& run, uint32_t rows) {
+static bool advance_blocks(Blocks& b, Run& run, uint32_t rows) {
   while (b.doing != Doing::shading) {
     if (rows == 0) return true;
     rows -= work(b, run, rows);
   }
   return advance(run, rows);
+}
+
+uint64_t begin_blocks(const Growth& growth, const Setup& setup, uint16_t kept, bool again, Run& run) {
+  Blocks& b = *blocks_in(setup.memory, setup.parts);
+  b.advance = advance_blocks;
+  b.plan = block_plan(growth);
+  b.setup = setup;
+  b.plan.again.stored = b.plan.shade.stored = &b.given;
+  b.cover = cover_of(b.plan.grid, box_of(setup.ground));
+  b.across = static_cast<uint16_t>(most_chunks(b.plan.grid, static_cast<uint32_t>(setup.ground.width) + kept));
+  b.down = static_cast<uint16_t>(most_chunks(b.plan.grid, static_cast<uint32_t>(setup.ground.height) + kept));
+  b.record_bytes = layer_offset(b.plan.grid, kLayers);
+  const size_t records = static_cast<size_t>(b.across) * b.down;
+  b.records = reinterpret_cast<uint8_t*>(&b + 1);
+  b.bits = b.records + records * b.record_bytes;
+  for (size_t i = 0; !again && i < records; ++i) *reinterpret_cast<Decided*>(b.records + i * b.record_bytes) = {0, 0, 0};
+  claim(b);
+  uint64_t rows = shade_rows(b.plan, setup.ground);
+  for (uint8_t layer = 0; layer < kLayers; ++layer) {
+    const uint64_t each = block_rows(b.plan, layer);
+    b.layer = layer;
+    for (b.y = b.cover.y[layer].first; b.y <= b.cover.y[layer].last; ++b.y)
+      for (b.x = b.cover.x[layer].first; b.x <= b.cover.x[layer].last; ++b.x)
+        if (!is_decided(b)) rows += each;
+  }
+  run.rows = 0;
+  b.layer = 0;
+  b.x = b.cover.x[0].first;
+  b.y = b.cover.y[0].first;
+  open_next(b, run);
+  return rows;
 }
 
 }  // namespace dapple::evolve

@@ -49,7 +49,7 @@ constexpr BlockGrid block_grid(int32_t length) {
 }
 
 // What block `index` of a layer covers along x (or y).
-constexpr Span covered(const BlockGrid& g, uint8_t layer, bool along_y, int32_t index) {
+constexpr Span stretch(const BlockGrid& g, uint8_t layer, bool along_y, int32_t index) {
   const int32_t at = index * g.side;
   if (layer == 0) return {at, at + g.side};
   if (layer == 3) return {at - g.corner, at + g.corner};
@@ -63,7 +63,7 @@ constexpr uint16_t length_of(const Span& s) { return static_cast<uint16_t>(s.to 
 constexpr uint16_t margin_of(const BlockGrid& g, uint8_t layer) { return layer == 0 ? g.around : g.margin; }
 
 constexpr Box covered(const BlockGrid& g, uint8_t layer, int32_t i, int32_t j) {
-  return {covered(g, layer, false, i), covered(g, layer, true, j)};
+  return {stretch(g, layer, false, i), stretch(g, layer, true, j)};
 }
 // With its margin: what is grown.
 constexpr Box grown(const BlockGrid& g, uint8_t layer, int32_t i, int32_t j) {
@@ -79,7 +79,7 @@ constexpr uint32_t count_of(const Range& r) { return r.last < r.first ? 0 : stat
 
 // The blocks of a layer that meet a span.
 constexpr Range meeting(const BlockGrid& g, uint8_t layer, bool along_y, const Span& s) {
-  const Span zero = covered(g, layer, along_y, 0);
+  const Span zero = stretch(g, layer, along_y, 0);
   const auto floor_of = [&](int32_t value) { return grid::round_down(value, g.side) / g.side; };
   return {floor_of(s.from - zero.to) + 1, floor_of(s.to - zero.from - 1)};
 }
@@ -148,6 +148,13 @@ inline constexpr Solver shaded_bits DAPPLE_ROM = {shading_reach, shading_next, p
 
 void blank_row(const start::Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
 
+// A recipe's start and stages.
+struct Growth {
+  const Start* start;
+  const Stage* stage;
+  uint8_t stages;
+};
+
 struct BlockPlan {
   BlockGrid grid;
   Stage chunk[kMaxStages];  // the recipe's own
@@ -157,24 +164,27 @@ struct BlockPlan {
 };
 
 // The longest length of the pattern: a wavelength, or the side of the square that a seed has for itself.
-constexpr int32_t pattern_length(const Start& start, const Stage* stage, uint8_t stages) {
+constexpr int32_t pattern_length(const Growth& growth) {
+  const Start& start = *growth.start;
   int32_t length = 0;
-  for (uint8_t i = 0; i < stages; ++i) length = base::max(length, stage[i].model->wavelength(stage[i].number));
+  for (uint8_t i = 0; i < growth.stages; ++i)
+    length = base::max(length, growth.stage[i].model->wavelength(growth.stage[i].number));
   if (start.kind != Start::seeds) return length;
   const uint64_t square = static_cast<uint64_t>(start.pitch) * static_cast<uint64_t>(start.pitch) / base::kMicro;
   return base::max(length, static_cast<int32_t>(base::square_root64(square * static_cast<uint64_t>(start.aspect))));
 }
 
-constexpr BlockPlan block_plan(const Start& start, const Stage* stage, uint8_t stages) {
+constexpr BlockPlan block_plan(const Growth& growth) {
+  const Start& start = *growth.start;
   BlockPlan plan{};
-  plan.grid = block_grid(pattern_length(start, stage, stages));
+  plan.grid = block_grid(pattern_length(growth));
   uint32_t steps = 0;
-  for (plan.stages = 0; plan.stages < stages; ++plan.stages) {
-    plan.chunk[plan.stages] = stage[plan.stages];
-    steps += stage[plan.stages].steps;
+  for (plan.stages = 0; plan.stages < growth.stages; ++plan.stages) {
+    plan.chunk[plan.stages] = growth.stage[plan.stages];
+    steps += growth.stage[plan.stages].steps;
   }
-  const Stage& last = stage[stages - 1];
-  if (stages == 1 && start.kind == Start::noise && steps > 2 * kFineSteps &&
+  const Stage& last = growth.stage[growth.stages - 1];
+  if (plan.stages == 1 && start.kind == Start::noise && steps > 2 * kFineSteps &&
       last.model->wavelength(last.number) >= kCoarseLength) {
     plan.chunk[1] = last;
     plan.chunk[0].level = 1;
@@ -230,6 +240,7 @@ enum class Doing : uint8_t { gathering, solving, keeping, shading };
 
 // The work on a window, in the texture's memory: this, the records, the bits given.
 struct Blocks {
+  bool (*advance)(Blocks& blocks, Run& run, uint32_t rows);  // as evolve::advance
   BlockPlan plan;
   Setup setup;             // the window's
   Cover cover;
@@ -282,16 +293,44 @@ constexpr uint64_t shade_rows(const BlockPlan& plan, const Ground& window) {
   return static_cast<uint64_t>(window.height) * (1u + s.model->planes(s.number) + reach.sweeps);
 }
 
+// What a recipe asks of every window; what it needs on one.
+struct BlockShape {
+  uint16_t side, halo;  // of the lattice; of the window
+};
+struct BlockNeed {
+  Parts parts;
+  uint16_t stride, sweeps;  // of the shading
+  uint64_t rows;            // of work with nothing decided
+};
+
+constexpr BlockShape block_shape(const Growth& growth) {
+  const Stage& last = growth.stage[growth.stages - 1];
+  return {block_grid(pattern_length(growth)).side, shading_reach(*last.model, last.number, 0).spread};
+}
+
+constexpr BlockNeed block_need(const Growth& growth, const Ground& window, uint8_t bands, uint16_t kept) {
+  const BlockPlan plan = block_plan(growth);
+  const Reach reach = shading_reach(*plan.shade.model, plan.shade.number, 0);
+  const Cover cover = cover_of(plan.grid, box_of(window));
+  BlockNeed need{{0, 0, 0, sizeof(Band) * bands, true}, reach.stride, reach.sweeps, shade_rows(plan, window)};
+  add_blocks(need.parts, plan, window, bands, kept);
+  for (uint8_t layer = 0; layer < kLayers; ++layer) need.rows += count_of(cover, layer) * block_rows(plan, layer);
+  return need;
+}
+
+// setup.ground: the window's; setup.memory: as the parts say. again: the memory is as it was left by a run that began with the
+// same arguments, but for the place. run gets ready. Returns the rows of work in all.
+uint64_t begin_blocks(const Growth& growth, const Setup& setup, uint16_t kept, bool again, Run& run);
+
 // What a recipe carries whose windows can be in blocks: firmware links no other.
 struct BlockWork {
-  // setup.ground: the window's; setup.memory: as Parts say. again: the memory is as a run with the same setup left it, but for
-  // the place. run gets ready. Returns the rows of work in all.
-  uint64_t (*begin)(Blocks& blocks, const BlockPlan& plan, const Setup& setup, uint16_t kept, bool again, Run& run);
-  bool (*advance)(Blocks& blocks, Run& run, uint32_t rows);  // as evolve::advance
+  BlockShape (*shape)(const Growth& growth);
+  BlockNeed (*need)(const Growth& growth, const Ground& window, uint8_t bands, uint16_t kept);
+  uint64_t (*begin)(const Growth& growth, const Setup& setup, uint16_t kept, bool again, Run& run);
 };
-uint64_t begin_blocks(Blocks& blocks, const BlockPlan& plan, const Setup& setup, uint16_t kept, bool again, Run& run);
-bool advance_blocks(Blocks& blocks, Run& run, uint32_t rows);
-inline constexpr BlockWork in_blocks DAPPLE_ROM = {begin_blocks, advance_blocks};
+inline constexpr BlockWork block_work = {block_shape, block_need, begin_blocks};
+// Sixteen bits cannot address what it takes.
+inline constexpr const BlockWork* in_blocks = sizeof(size_t) > 2 ? &block_work : nullptr;
 
 // Where in the memory it stands.
 inline Blocks* blocks_in(uint8_t* memory, const Parts& parts) {
