@@ -1,10 +1,11 @@
 # What demo/run and tests/run share: installing what is missing, or saying how.
 # SPDX-License-Identifier: MIT
 
-# is_there WANTED: a command on the path, a header (NAME.h) that the compiler finds, or clang's sanitizers.
+# is_there WANTED: a command on the path, a header (NAME.h) that the compiler finds, clang's sanitizers, or QEMU's window.
 is_there() {
   case $1 in
     sanitizers) echo "int main() {}" | clang++ -fsanitize=address,undefined -x c++ - -o /dev/null > /dev/null 2>&1 ;;
+    qemu-window) qemu-system-arm -display help 2> /dev/null | grep -qxE 'gtk|sdl' ;;
     *.h) echo "#include <$1>" | c++ -std=c++17 -E -x c++ - > /dev/null 2>&1 ;;
     *) command -v "$1" > /dev/null ;;
   esac

@@ -135,6 +135,10 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   if (bands < 1 || bands > kMaxBands) return bad_bands;
   need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
   smallest(recipe, need);
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+  }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.plane) {
     need.halo = halo_of(recipe);
@@ -162,7 +166,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
     need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
-    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps;
+    need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps + (s.steps > 0 ? reach.once : 0u);
   }
   return parts;
 }
@@ -209,6 +213,13 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 }  // namespace api
+
+// Hands the directions of map=image and the styles of solver=styled to every stage of a recipe. begin looks at them, and answers bad_map
+// where they are wanted and missing, or of a size out of range.
+constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
+  for (uint8_t i = 0; i < recipe.stages; ++i)
+    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
+}
 
 // What `recipe` needs on `domain`: constexpr where the recipe is. kept: Options::kept.
 constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {

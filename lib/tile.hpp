@@ -149,25 +149,39 @@ class Tile {
 
   // Row y of the field of a finished texture: `width` values within +-unit().
   void row(uint16_t y, int16_t* out) {
-    each_value(y, [&](uint16_t x, int16_t value) { out[x] = value; });
+    each_value(y, [](void* to, uint16_t x, int16_t value) { static_cast<int16_t*>(to)[x] = value; }, out);
   }
   static constexpr int16_t unit() { return bits::kUnit; }
 
   // Row y of a finished texture as pixels: pixel_bytes(format, width) bytes.
   template <Pixels format> void paint(uint16_t y, void* out) {
-    constexpr const paint::Shader& shader = tile::shader<preset>;
-    const base::RowKey key = base::row_key(seed_, paint::kGrainStream, y);
-    tile::OnRamp<preset> ramp;
-    ramp.look(0);
-    each_value(y, [&](uint16_t x, int16_t value) {
+    Painter painter;
+    painter.out = static_cast<uint8_t*>(out);
+    painter.y = y;
+    painter.key = base::row_key(seed_, paint::kGrainStream, y);
+    painter.ramp.look(0);
+    each_value(y, [](void* to, uint16_t x, int16_t value) {
+      Painter& p = *static_cast<Painter*>(to);
       uint8_t rgb[3];
-      ramp.colour(tile::place<shader.low, shader.span>(value), rgb);
-      if constexpr (shader.grain != 0) paint::grain(shader.grain, key, x, rgb);
-      paint::put_pixel(format, x, y, rgb, false, 0, static_cast<uint8_t*>(out));
-    });
+      colour(p, x, value, rgb);
+      paint::put_pixel(format, x, p.y, rgb, false, 0, p.out);
+    }, &painter);
   }
 
  private:
+  // A row being painted.
+  struct Painter {
+    uint8_t* out;
+    uint16_t y;
+    base::RowKey key;
+    tile::OnRamp<preset> ramp;
+  };
+  DAPPLE_APART static void colour(Painter& p, uint16_t x, int16_t value, uint8_t* rgb) {
+    constexpr const paint::Shader& shader = tile::shader<preset>;
+    p.ramp.colour(tile::place<shader.low, shader.span>(value), rgb);
+    if constexpr (shader.grain != 0) paint::grain(shader.grain, p.key, x, rgb);
+  }
+
   static constexpr uint8_t kStart = 254, kDone = 255;
   static constexpr int16_t kNone = INT16_MAX;
 
@@ -296,17 +310,18 @@ class Tile {
     return row;
   }
 
-  template <class Put> DAPPLE_INLINE void each_value(uint16_t y, const Put& put) {
+  // put(to, x, value) for the values of a row of the picture.
+  DAPPLE_APART void each_value(uint16_t y, void (*put)(void* to, uint16_t x, int16_t value), void* to) {
     if (step_ != kDone) return;
     const int16_t at = static_cast<int16_t>(y >> kLevel);
     if constexpr (kLevel == 0) {
       const int16_t* const row = field_row(at);
-      for (uint16_t x = 0; x < width; ++x) put(x, row[x]);
+      for (uint16_t x = 0; x < width; ++x) put(to, x, row[x]);
     } else {
       const int16_t upper = static_cast<int16_t>(at - (1 - (y & 1)));
       const int16_t *const above = field_row(upper), *const below = field_row(static_cast<int16_t>(upper + 1));
       const bool lower = (y & 1) == 0;
-      evolve::enlarged(lower ? below : above, lower ? above : below, 0, width, put);
+      evolve::enlarged(lower ? below : above, lower ? above : below, 0, width, [&](uint16_t x, int16_t value) { put(to, x, value); });
     }
   }
 

@@ -2,20 +2,6 @@
 // SPDX-License-Identifier: MIT
 "use strict";
 
-// Grows `domain` on a desk in slices between frames; words if it is refused, else null.
-async function growAside(desk, recipe, domain, seed, told) {
-  const refused = desk.parse(recipe);
-  if (refused) return refused.words;
-  const words = desk.begin(domain, seed);
-  if (words) return words;
-  const pace = { rows: 64 };
-  while (workUntil(performance.now() + 12, pace, (rows) => desk.step(rows))) {
-    told(desk.progress());
-    await new Promise((next) => setTimeout(next, 0));
-  }
-  return null;
-}
-
 // A C header as `dapple grow --format c` writes it.
 function cHeader(name, width, height, bytes, note) {
   const low = name.replace(/[^A-Za-z0-9]/g, "_"), high = low.toUpperCase();

@@ -4,18 +4,21 @@
 
 const by = (id) => document.getElementById(id);
 const kFirst = "swirl-weave";
-const kSlice = 7;  // milliseconds of growing a frame
+const kSlice = 7;    // milliseconds of growing a frame, where there is no worker
+const kPause = 120;  // milliseconds after which what is typed counts
 
 class Page {
-  constructor(makeDesk) {
+  constructor(makeDesk, module) {
     this.trial = makeDesk();  // where recipes are tried before anything is given up for them
-    this.aside = makeDesk();  // where files grow
-    this.grounds = { plane: new Plane(makeDesk()), torus: new Tile(makeDesk()) };
+    this.growing = new Growing(module, makeDesk, (answer) => this.hear(answer), () => this.again());
+    this.grounds = { plane: new Plane(this.growing), torus: new Tile(this.growing) };
     this.presets = this.trial.presets();
+    this.numbers = new Panel(by("numbers"), this.trial, (line) => this.turned(line));
     this.ground = null;
     this.canvas = by("view");
     this.context = this.canvas.getContext("2d", { alpha: false });
     this.camera = new Camera(this.canvas, () => (this.stale = true));
+    by("more").open = window.innerWidth > 700;
     this.listPresets();
     this.listen();
     this.resize();
@@ -73,59 +76,87 @@ class Page {
   // While one types: the words at once, the growing when the typing stops.
   later() {
     clearTimeout(this.waiting);
-    if (this.read()) this.waiting = setTimeout(() => this.apply(), 200);
+    if (this.read()) this.waiting = setTimeout(() => this.apply(), kPause);
+  }
+
+  // A control of the numbers wrote a line: it grows with the next frame.
+  turned(line) {
+    by("recipe").value = line;
+    this.due = true;
+  }
+
+  hear(answer) {
+    if (answer.kind === "file") return void (this.file && this.file(answer));
+    if (!this.ground || answer.order !== this.ground.order) return;
+    if (answer.words) return this.tell({ recipe: answer.words + "." });
+    this.ground.hear(answer);
+    this.stale = true;
+  }
+
+  // The worker has ended; what it was to do is begun anew on this side.
+  again() {
+    if (this.file) this.file({ words: "the worker ended; try again" });
+    if (this.ground) this.ground.begin(this.setup);
+    this.stale = true;
+  }
+
+  // Words beside the fields they are about: { recipe, seed, size }.
+  tell(words) {
+    for (const field of ["recipe", "seed", "size"]) by("trouble-" + field).textContent = words[field] || "";
+    for (const [id, field] of [["recipe", "recipe"], ["seed", "seed"], ["width", "size"], ["height", "size"]]) {
+      const wrong = Boolean(words[field]) && (!words.only || words.only.includes(id));
+      by(id).classList.toggle("wrong", wrong);
+      by(id).setAttribute("aria-invalid", String(wrong));
+    }
   }
 
   // What the controls say; null, and words beside them, if it cannot be.
   read() {
-    const line = by("recipe").value.trim();
+    const line = by("recipe").value.trim(), words = {};
     const known = this.presets.find((p) => p.line === line);
     by("preset").value = known ? known.name : "";
     by("sentence").textContent = known ? known.sentence : "";
-    const marks = { recipe: false, seed: false, width: false, height: false };
-    let words = "";
-    const refuse = (id, why) => {
-      if (!words) words = why;
-      marks[id] = true;
-    };
     const trouble = this.trial.parse(line);
-    if (trouble) refuse("recipe", `Column ${trouble.column}: ${trouble.words}.`);
-    const whole = (id, low, high) => {
+    if (trouble) this.numbers.tell((words.recipe = `Column ${trouble.column}: ${trouble.words}.`));
+    else this.numbers.show(line);
+    const whole = (id, field, low, high) => {
       const text = by(id).value.trim(), value = /^(0x[0-9a-f]{1,8}|\d{1,10})$/i.test(text) ? Number(text) : NaN;
       if (value >= low && value <= high) return value;
-      refuse(id, `The ${id} is a whole number from ${low} to ${high}.`);
+      words[field] = `The ${id} is a whole number from ${low} to ${high}, not '${text.slice(0, 20)}'.`;
+      words.only = [...(words.only || ["recipe"]), id];
       return low;
     };
-    const setup = { recipe: line, seed: whole("seed", 0, 4294967295), width: whole("width", 8, 2048), height: whole("height", 8, 2048), view: Number(by("paint").value) };
-    if (!words) this.readGround(setup, refuse);
-    for (const id in marks) by(id).classList.toggle("wrong", marks[id]);
-    by("trouble").textContent = words;
-    return words ? null : setup;
+    const seed = whole("seed", "seed", 0, 4294967295), width = whole("width", "size", 8, 2048), height = whole("height", "size", 8, 2048);
+    const setup = { recipe: line, seed, width, height, view: Number(by("paint").value) };
+    if (!trouble) this.readGround(setup, words);
+    this.tell(words);
+    return words.recipe || words.seed || words.size ? null : setup;
   }
 
   // Recipes that run too long for the plane are shown as a tile.
-  readGround(setup, refuse) {
-    const small = this.trial.refusal({ plane: true, x: 0, y: 0, width: 64, height: 64 });
-    by("plane").disabled = small !== null;
-    setup.ground = by("torus").checked || small ? "torus" : "plane";
-    const halo = this.trial.halo(), slow = setup.ground === "plane" && halo > 300;
-    by("why").textContent = small ? `This recipe is ${small}.` : slow ? `Every chunk is grown with ${halo} cells more on every side: that takes its time. A tile is faster.` : "";
-    const refused = setup.ground === "torus" && this.trial.refusal({ plane: false, x: 0, y: 0, width: setup.width, height: setup.height });
-    if (refused) refuse("width", "Tile: " + refused + ".");
+  readGround(setup, words) {
+    const refused = this.trial.refusal({ plane: true, x: 0, y: 0, width: 64, height: 64 });
+    by("plane").disabled = refused !== null;
+    setup.ground = by("torus").checked || refused ? "torus" : "plane";
+    setup.halo = this.trial.halo();
+    const slow = setup.ground === "plane" && setup.halo > 300;
+    by("why").textContent = refused ? `This recipe is ${refused}.`
+      : slow ? `Every chunk is grown with ${setup.halo} cells more on every side: that takes its time. A tile is faster.` : "";
+    const small = setup.ground === "torus" && !words.size &&
+      this.trial.refusal({ plane: false, x: 0, y: 0, width: setup.width, height: setup.height });
+    if (!small) return;
+    words.size = `Tile: ${small}.`;
+    if (words.only) words.only.push("width", "height");
   }
 
   apply() {
     clearTimeout(this.waiting);
+    this.due = false;
     const setup = this.read();
     if (!setup) return;
-    const ground = this.grounds[setup.ground];
-    const words = ground.begin(setup, this.camera);
-    if (words) {
-      by("trouble").textContent = words + ".";
-      return;
-    }
-    this.ground = ground;
+    this.ground = this.grounds[setup.ground];
     this.setup = setup;
+    this.ground.begin(setup);
     this.stale = true;
     this.note("");
   }
@@ -133,15 +164,14 @@ class Page {
   repaint() {
     if (!this.ground) return;
     this.setup.view = Number(by("paint").value);
-    this.ground.repaint(this.setup.view, this.camera);
+    this.ground.repaint();
     this.stale = true;
   }
 
   frame() {
-    if (this.ground) {
-      if (this.ground.work(this.camera, performance.now() + kSlice)) this.stale = true;
-      if (this.stale) this.draw();
-    }
+    if (this.due) this.apply();
+    this.growing.work(performance.now() + kSlice);
+    if (this.stale && this.ground) this.draw();
     requestAnimationFrame(() => this.frame());
   }
 
@@ -161,24 +191,40 @@ class Page {
     return { plane: true, x, y, width: setup.width, height: setup.height };
   }
 
+  // Pixels of `domain`, or throws words.
+  grow(setup, domain, format) {
+    return new Promise((made, failed) => {
+      const order = ++orders;
+      this.file = (answer) => {
+        if (answer.words) failed(answer.words);
+        else if (answer.pixels) made(new Uint8ClampedArray(answer.pixels));
+        else this.note(`Growing the file, ${Math.floor(100 * answer.share)} %`);
+      };
+      this.growing.order({ kind: "file", order, recipe: setup.recipe, domain, seed: setup.seed, view: setup.view, format });
+    });
+  }
+
   async download(kind) {
     const setup = this.setup && { ...this.setup }, busy = (is) => ["png", "c"].forEach((id) => (by(id).disabled = is));
     if (!setup) return;
-    const domain = this.domain(setup);
+    const domain = this.domain(setup), { width, height } = domain;
     busy(true);
-    const words = await growAside(this.aside, setup.recipe, domain, setup.seed, (share) => this.note(`Growing the file, ${Math.floor(100 * share)} %`));
-    busy(false);
-    if (words) return this.note(words + ".");
-    const known = this.presets.find((p) => p.line === setup.recipe), name = (known ? known.name : "texture") + "-" + setup.seed;
-    const place = domain.plane ? ` at ${domain.x},${domain.y}` : "";
-    if (kind === "png") {
-      const canvas = canvasOf(domain.width, domain.height, this.aside.pixels(setup.view));
-      save(name + ".png", await new Promise((made) => canvas.toBlob(made)));
-    } else {
-      const text = cHeader(name, domain.width, domain.height, this.aside.pixels(setup.view, dapple.formats.rgb565), `${setup.recipe}, seed ${setup.seed}${place}`);
-      save(name + ".h", new Blob([text], { type: "text/plain" }));
+    try {
+      const known = this.presets.find((p) => p.line === setup.recipe), name = (known ? known.name : "texture") + "-" + setup.seed;
+      const place = domain.plane ? ` at ${domain.x},${domain.y}` : "";
+      const pixels = await this.grow(setup, domain, kind === "png" ? dapple.formats.rgba8888 : dapple.formats.rgb565);
+      if (kind === "png") {
+        save(name + ".png", await new Promise((made) => canvasOf(width, height, pixels).toBlob(made)));
+      } else {
+        const text = cHeader(name, width, height, pixels, `${setup.recipe}, seed ${setup.seed}${place}`);
+        save(name + ".h", new Blob([text], { type: "text/plain" }));
+      }
+      this.note(`Saved: ${width} \u00d7 ${height}${place}.`);
+    } catch (words) {
+      this.note(words + ".");
     }
-    this.note(`Saved: ${domain.width} \u00d7 ${domain.height}${place}.`);
+    this.file = null;
+    busy(false);
   }
 }
 
@@ -186,7 +232,7 @@ class Page {
 window.ready = (async () => {
   try {
     if (typeof DAPPLE_MODULE === "undefined") throw new Error("this page comes without its module; ports/wasm/build makes one that has it");
-    window.page = new Page(await dapple.load(DAPPLE_MODULE));
+    window.page = new Page(await dapple.load(DAPPLE_MODULE), DAPPLE_MODULE);
   } catch (error) {
     const sorry = by("sorry");
     sorry.hidden = false;

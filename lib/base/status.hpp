@@ -26,6 +26,7 @@ enum Status : int8_t {
   bad_bands = -16,      // 0, or more than 64
   too_far = -17,        // a window beyond 2^30 cells from the origin
   halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
+  bad_map = -19,        // map=image or solver=styled without an image, or with one of a wrong size
 };
 
 }  // namespace dapple

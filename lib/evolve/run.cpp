@@ -29,7 +29,7 @@ static void set_clock(Run& run) {
 }
 
 static Context context_of(const Run& run) {
-  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored};
+  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0};
 }
 
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.

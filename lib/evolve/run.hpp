@@ -97,7 +97,7 @@ constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, c
   parts.fits = parts.fits && base::add_bytes(scratch, bands, band) &&
                base::add_bytes(planes, height, grid::row_bytes(model.cell, width));
   size_t all = 0;
-  parts.fits = parts.fits && base::add_bytes(all, model.planes(stage.number), planes);
+  parts.fits = parts.fits && base::add_bytes(all, static_cast<size_t>(model.planes(stage.number)) + reach.kept, planes);
   parts.planes = all > parts.planes ? all : parts.planes;
   parts.scratch = scratch > parts.scratch ? scratch : parts.scratch;
   const size_t table = sizeof(int32_t) * reach.table;
@@ -111,6 +111,7 @@ constexpr bool leaves_margin(const Reach& reach) { return reach.sweeps == 1 && r
 constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach& reach, const Ground& ground, bool plane, uint32_t& spent) {
   const uint16_t height = at_level(ground.height, stage.level);
   uint64_t total = static_cast<uint64_t>(stage.steps) * reach.sweeps * height;
+  if (stage.steps > 0) total += static_cast<uint64_t>(reach.once) * height;
   if (stage.entry == Entry::start) total += static_cast<uint64_t>(model.planes(stage.number)) * height;
   if (stage.entry == Entry::refine) total += height / 2u;
   for (uint32_t step = 0; plane && step < stage.steps; ++step) {

@@ -41,6 +41,7 @@ struct Context {
   bool plane;
   uint32_t seed;
   const void* stored;  // Stage::stored
+  bool first;          // the stage's first step
 };
 
 // What a solver needs of the scratch memory.
@@ -56,6 +57,8 @@ struct Reach {
   uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
   uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
   uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
+  uint8_t kept = 0;          // planes the solver keeps behind the model's own
+  uint8_t once = 0;          // sweeps more in the first step of a stage
 };
 
 struct Solver {
@@ -67,6 +70,8 @@ struct Solver {
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
   // out[0] the field of the stage's grid, which is then enlarged bilinearly.
   grid::RowKernel field = nullptr;
+  // Whether Stage::stored is what these numbers need; null: nothing is wanted.
+  bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

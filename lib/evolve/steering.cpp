@@ -9,10 +9,8 @@ static uint16_t nodes_on(uint16_t size, int32_t distance) {
   return static_cast<uint16_t>(base::max(1, static_cast<int32_t>((size + distance / 2) / distance)));
 }
 
-static void set_field(const Context& context, stencil::DirectionField& f) {
-  const int32_t* number = context.number;
+void place_field(const Context& context, int32_t distance, stencil::DirectionField& f) {
   const uint8_t level = context.level;
-  const int32_t distance = number[flow::nodes];
   f.seed = context.seed;
   f.x = context.ground->x >> level;
   f.y = context.ground->y >> level;
@@ -20,19 +18,20 @@ static void set_field(const Context& context, stencil::DirectionField& f) {
   f.height = context.plane ? static_cast<uint16_t>(0) : static_cast<uint16_t>(context.ground->height >> level);
   f.across = context.plane ? static_cast<uint16_t>(distance) : nodes_on(f.width, distance);
   f.down = context.plane ? static_cast<uint16_t>(distance) : nodes_on(f.height, distance);
-  f.kind = static_cast<uint8_t>(number[flow::field]);
-  f.bend = static_cast<int16_t>(static_cast<int64_t>(number[flow::bend]) * 4096 / base::kMicro);
 }
 
 void prepare_steered(const Context& context) {
   const int32_t* number = context.number;
   stencil::SteerSet& set = *reinterpret_cast<stencil::SteerSet*>(context.table);
-  set_field(context, set.field);
+  place_field(context, number[flow::nodes], set.field);
+  set.field.kind = static_cast<uint8_t>(number[flow::field]);
+  set.field.bend = static_cast<int16_t>(static_cast<int64_t>(number[flow::bend]) * 4096 / base::kMicro);
   set.threads = static_cast<uint8_t>(number[flow::threads]);
   for (uint8_t t = 0; t < set.threads; ++t) {
     const uint16_t doubled = static_cast<uint16_t>(2 * base::angle_of(number[flow::angles + t]));
-    set.c2[t] = static_cast<int8_t>(base::clamp((base::cosine(doubled) + 128) >> 8, -127, 127));
-    set.s2[t] = static_cast<int8_t>(base::clamp((base::sine(doubled) + 128) >> 8, -127, 127));
+    const stencil::Doubled thread = stencil::doubled_of(doubled);
+    set.c2[t] = thread.c2;
+    set.s2[t] = thread.s2;
   }
   stencil::Mask masks[stencil::kSteerable];
   int16_t sum = 0;

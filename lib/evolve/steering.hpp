@@ -15,6 +15,9 @@ constexpr Reach steered_reach(const Model&, const int32_t* number, uint8_t) {
 bool steered_next(const Context& context, Cursor& cursor, Sweep& sweep);
 void prepare_steered(const Context& context);
 
+// A field of directions on the stage's grid, its nodes `distance` cells apart; kind and bend are left to the caller.
+void place_field(const Context& context, int32_t distance, stencil::DirectionField& field);
+
 // The wavelength these numbers grow where directions hardly bend, within about 10 %: the mixture of five
 // masks is not the mask it stands for.
 int32_t steered_wavelength(const int32_t* number);

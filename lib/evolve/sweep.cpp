@@ -162,7 +162,7 @@ static void move_on(const Order& order, uint16_t height, uint8_t ring, Band& ban
 
 // The same rows as the loop of run_band, for the sweep that matters most: one plane, one row either side, away from the
 // coset's end. Pointers move instead of being made afresh.
-static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
+DAPPLE_APART static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
                           Band& band, uint32_t rows) {
   const uint32_t left = static_cast<uint32_t>(band.stop) - band.index;
   const uint32_t count = left - 1 < rows ? left - 1 : rows;

@@ -120,6 +120,25 @@ void add_row(const grid::Rows& rows) {
   for (uint8_t i = 0; i < rows.planes; ++i) add(out16(rows, i), most, rows.n);
 }
 
+// |rho| <= 1600 + 8 * 128; amount (share + 1) <= 3147 * 256.
+static void switch_styled(i16* DAPPLE_RESTRICT field, const i16* DAPPLE_RESTRICT style, uint16_t n, i16 rho, i16 amount) {
+  for (uint16_t x = 0; x < n; ++x) {
+    const i16 level = static_cast<i16>(rho + 8 * (style[x] >> 8));
+    const i16 strength = static_cast<i16>((static_cast<int32_t>(amount) * ((style[x] & 255) + 1)) >> 8);
+    field[x] = field[x] > level ? strength : static_cast<i16>(0);
+  }
+}
+
+void impulse_styled_row(const grid::Rows& rows) {
+  const int32_t* p = rows.p;
+  const i16* plane[grid::kMaxPlanes];
+  gather(rows, plane);
+  i16* most = reinterpret_cast<i16*>(rows.scratch);
+  shade(plane, p[0], p[1], most, most + rows.n, rows.n);
+  switch_styled(most, plane[rows.planes - 1], rows.n, static_cast<i16>(p[2]), static_cast<i16>(p[3]));
+  for (uint8_t i = 0; i < 2 * p[0]; ++i) decay(out16(rows, i), most, rows.n);
+}
+
 // C' = C + round(stencil + dt (k [on] - C)), Q16 in int32. |stencil| <= 1.11e9, dt C <= 32768 * 16000 = 5.2e8, of
 // opposite signs at the extremes; |sum| < 1.7e9 < 2^31. dt is p[5], Q16, at most 1/2. The nine-point stencil is not
 // monotone, hence the clamp.

@@ -32,27 +32,34 @@ inline constexpr Number numbers[] = {
     {Number::schedule, "k", 0, base::kMicro, base::kMicro, nullptr, "k/b: the strength of the reaction"},
 };
 
-constexpr bool in_range(const int32_t* number) {
+// All but the slot `diffusion`, which another family may use for something else.
+constexpr bool shared_in_range(const int32_t* number, int32_t most_pairs) {
   for (uint8_t j = 0; j < 5; ++j)
     if (!within(number[angles + j], -2 * kTurn, 2 * kTurn)) return false;
-  return within(number[pairs], 1, 5) && within(number[react], 0, 1) && within(number[diffusion], 0, 1) &&
+  return within(number[pairs], 1, most_pairs) && within(number[react], 0, 1) &&
          within(number[scale], kScale[0], kScale[1]) && within(number[stretch], kStretch[0], kStretch[1]) &&
          within(number[ratio], kRatio[0], kRatio[1]) && schedule_within(number + rho, -kLargestRho, kLargestRho) &&
          schedule_within(number + k, 0, base::kMicro);
 }
+constexpr bool in_range(const int32_t* number) { return within(number[diffusion], 0, 1) && shared_in_range(number, 5); }
 
 constexpr uint8_t planes(const int32_t* number) { return static_cast<uint8_t>(2 * number[pairs]); }
 
-// A = a1^2 e1 e1^T + a2^2 e2 e2^T with e1 along the angle; P+ = [e s, s], P- = [e s, d s]; isotropic P+ = [s, s],
-// P- = [d s, d s]. The variance over b dt = 1/2 is 2 dt A = A.
-constexpr grid::Tensor tensor(const int32_t* number, uint8_t plane) {
+// [a1, a2] of a plane as variances over b dt = 1/2, 2 dt A = A, with e1 along x: P+ = [e s, s], P- = [e s, d s]; isotropic
+// P+ = [s, s], P- = [d s, d s].
+constexpr grid::Tensor axes_of(const int32_t* number, uint8_t plane, bool round) {
   const int64_t s = number[scale];
   const int64_t wide = plane & 1 ? s * number[ratio] / base::kMicro : s;
-  const bool round = number[diffusion] == isotropic;
   const int64_t a1 = round ? wide : s * number[stretch] / base::kMicro, a2 = wide;  // 1/kMicro cells
   const int64_t scaled = INT64_C(1000000000000) / 65536;                            // kMicro^2 to Q16 (floor 15258789)
-  const int64_t v1 = a1 * a1 / scaled, v2 = a2 * a2 / scaled;
-  if (round) return {static_cast<int32_t>(v1), 0, static_cast<int32_t>(v1)};
+  return {static_cast<int32_t>(a1 * a1 / scaled), 0, static_cast<int32_t>(a2 * a2 / scaled)};
+}
+
+// A = a1^2 e1 e1^T + a2^2 e2 e2^T with e1 along the angle.
+constexpr grid::Tensor tensor(const int32_t* number, uint8_t plane) {
+  const grid::Tensor axes = axes_of(number, plane, number[diffusion] == isotropic);
+  if (number[diffusion] == isotropic) return axes;
+  const int64_t v1 = axes.xx, v2 = axes.yy;
   const uint16_t theta = base::angle_of(number[angles + plane / 2]);
   const int64_t c = base::cosine(theta), n = base::sine(theta);
   const int64_t one = INT64_C(32767) * 32767;
@@ -102,6 +109,8 @@ void given_row(const grid::Rows& rows);
 void add_row(const grid::Rows& rows);
 
 void impulse_row(const grid::Rows& rows);
+// The same with a style for every cell, in the last plane: steps of kUnit / 1000 on rho in its high byte, the share of k in its low one.
+void impulse_styled_row(const grid::Rows& rows);
 void react_row(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
 

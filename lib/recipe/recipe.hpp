@@ -3,6 +3,7 @@
 #pragma once
 #include "../evolve/blocks.hpp"
 #include "../evolve/convolution.hpp"
+#include "../evolve/flux.hpp"
 #include "../evolve/refine.hpp"
 #include "../evolve/run.hpp"
 #include "../evolve/steering.hpp"
@@ -39,7 +40,7 @@ struct Family {
   const Number* numbers;
   uint8_t number_count;
   const char* solver_names;  // separated by '|'
-  const evolve::Solver* solvers[2];
+  const evolve::Solver* solvers[3];
   uint32_t steps;
   Start start;
   int32_t low, high;
@@ -56,6 +57,9 @@ inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
      {&evolve::gaussian, &evolve::euler}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
+    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled",
+     {&evolve::flux, &evolve::lean_flux, &evolve::styled}, 32,
+     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},

@@ -109,7 +109,9 @@ static void put_numbers(Writer& w, const Family& f, const int32_t* number) {
 
 static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver) {
   put_key(w, "solver");
-  put_word(w, f.solver_names, solver == f.solvers[0] ? 0 : 1);
+  int32_t index = 0;
+  while (solver != f.solvers[index] && index < 2) ++index;
+  put_word(w, f.solver_names, index);
 }
 
 static void put_stage(Writer& w, const Family& f, const Stage& stage) {

@@ -76,20 +76,21 @@ static Pair column(const DirectionField& f, int32_t i, int32_t j, const Blend& d
   return sum;
 }
 
-static int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
+int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
+
+Doubled doubled_of(uint16_t turn) {
+  return {to_q7((base::cosine(turn) + 128) >> 8), to_q7((base::sine(turn) + 128) >> 8)};
+}
+
+Doubled unit_of(int32_t a, int32_t b) {
+  const int32_t inverse = base::inverse_root(static_cast<uint32_t>(a * a + b * b));
+  return {to_q7((a * inverse + 65536) >> 17), to_q7((b * inverse + 65536) >> 17)};
+}
 
 // sum: Q7 * Q7 times the nodes' format. Scalars: |n| < 2^15, n bend is 2^27 at most, in turns Q27 -> Q16.
-static void to_direction(const DirectionField& f, const Pair& sum, int8_t* c2, int8_t* s2) {
-  if (f.kind == scalars) {
-    const int32_t turn = ((sum.a >> 14) * f.bend) >> 11;
-    *c2 = to_q7((base::cosine(static_cast<uint16_t>(turn)) + 128) >> 8);
-    *s2 = to_q7((base::sine(static_cast<uint16_t>(turn)) + 128) >> 8);
-    return;
-  }
-  const int32_t a = sum.a >> 14, b = sum.b >> 14;  // Q12
-  const int32_t inverse = base::inverse_root(static_cast<uint32_t>(a * a + b * b));
-  *c2 = to_q7((a * inverse + 65536) >> 17);
-  *s2 = to_q7((b * inverse + 65536) >> 17);
+static Doubled to_direction(const DirectionField& f, const Pair& sum) {
+  if (f.kind == scalars) return doubled_of(static_cast<uint16_t>(((sum.a >> 14) * f.bend) >> 11));
+  return unit_of(sum.a >> 14, sum.b >> 14);  // Q12
 }
 
 void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, int8_t* c2, int8_t* s2) {
@@ -114,7 +115,9 @@ void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, in
       sum.a += nodes[n].a * across.weight[n];
       sum.b += nodes[n].b * across.weight[n];
     }
-    to_direction(f, sum, c2 + k, s2 + k);
+    const Doubled direction = to_direction(f, sum);
+    c2[k] = direction.c2;
+    s2[k] = direction.s2;
   }
 }
 

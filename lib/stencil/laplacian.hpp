@@ -7,7 +7,8 @@ namespace dapple::stencil {
 
 // Five points, int16 in int16 out, for kinetics in Q14. in: rows y-1, y, y+1 with a halo of one; out[0]: increments.
 //   out = mulhi(l + r - 2c + k, w) + mulhi(u + d - 2c + k, w),   w even, 64..16384, k = rounding_for(w)
-// p: {w, k}. Cells 0..16383: every argument fits int16; |out| <= 2 * 8191.
+// p: {w, k}. Cells 0..16383: |l + r - 2c| <= 32766, and with k it fits int16 but where both neighbours are within k / 2 of
+// 16383 and c is as near to 0; there it wraps, in every kernel alike. |out| <= 2 * 8192.
 void five_row(const grid::Rows& rows);
 
 // Nine points, exact sums in int32. in: rows y-1, y, y+1 with a halo of one; out[0]: int32 sums.

@@ -32,13 +32,13 @@ static void three_point(const int16_t* l, const int16_t* c, const int16_t* r, in
     weighted(l, c, r, out, n, weight, rounding);
 }
 
-void pass_row(const grid::Rows& rows) {
+void pass_row_by(const grid::Rows& rows, ThreePoint three_point) {
   const int32_t* p = rows.p;
   three_point(grid::in16(rows, 0) - p[0], grid::in16(rows, 1), grid::in16(rows, 2) + p[0], grid::out16(rows, 0), rows.n,
               static_cast<int16_t>(p[1]), static_cast<int16_t>(p[2]));
 }
 
-void chain_row(const grid::Rows& rows) {
+void chain_row_by(const grid::Rows& rows, ThreePoint three_point) {
   using grid::Cell;
   const uint16_t halo = static_cast<uint16_t>(rows.p[1]);
   const size_t before = grid::halo_bytes(Cell::int16, halo);
@@ -60,5 +60,8 @@ void chain_row(const grid::Rows& rows) {
     to = swap;
   }
 }
+
+void pass_row(const grid::Rows& rows) { pass_row_by(rows, three_point); }
+void chain_row(const grid::Rows& rows) { chain_row_by(rows, three_point); }
 
 }  // namespace dapple::stencil

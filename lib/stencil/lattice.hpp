@@ -134,4 +134,10 @@ void pass_row(const grid::Rows& rows);
 // Kernel of all passes along (1, 0), row by row in cache. in place: out[0]. p: {share, halo}. scratch: two rows with halo.
 void chain_row(const grid::Rows& rows);
 
+// Both with a pass of somebody's own, for kernels of a port: out[x] from l[x], c[x], r[x]; no row overlaps another.
+using ThreePoint = void (*)(const int16_t* l, const int16_t* c, const int16_t* r, int16_t* out, uint16_t n,
+                            int16_t weight, int16_t rounding);
+void pass_row_by(const grid::Rows& rows, ThreePoint three_point);
+void chain_row_by(const grid::Rows& rows, ThreePoint three_point);
+
 }  // namespace dapple::stencil

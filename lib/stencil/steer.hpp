@@ -28,6 +28,14 @@ struct DirectionField {
   int16_t bend;              // of scalars, Q12
 };
 
+// cos and sin of a doubled angle, Q7, -127..127.
+struct Doubled {
+  int8_t c2, s2;
+};
+int8_t to_q7(int32_t value);             // held within +-127
+Doubled doubled_of(uint16_t turn);       // of a doubled angle in 1/65536 turns
+Doubled unit_of(int32_t a, int32_t b);   // along (a, b) in Q12, |(a, b)| 1/16..2; shorter below 1/16
+
 // The doubled direction of `count` cells of row y from x on: cos and sin in Q7, shorter near the defects of vectors.
 void directions(const DirectionField& field, int32_t x, int32_t y, uint8_t count, int8_t* c2, int8_t* s2);
 

@@ -121,6 +121,8 @@ static void explain(Sentence& s, const Need& need) {
       put(s, uint64_t{need.halo});
       put(s, " more cells on every side; the most are ");
       return put(s, uint64_t{kWidestHalo});
+    case bad_map:
+      return put(s, "map=image and solver=styled need images, 1 to 256 cells a side");
     default:
       return put(s, "the stages do not fit each other, or the last is not on the finest grid");
   }

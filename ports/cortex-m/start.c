@@ -7,10 +7,11 @@ int main(void);
 
 enum { SYS_WRITEC = 0x03, SYS_EXIT = 0x18, STOPPED_WELL = 0x20026, STOPPED_BADLY = 0x20023 };
 
-static void host_call(uint32_t operation, uintptr_t argument) {
+uint32_t host_call(uint32_t operation, uintptr_t argument) {
   register uint32_t r0 __asm("r0") = operation;
   register uintptr_t r1 __asm("r1") = argument;
   __asm volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+  return r0;
 }
 
 void host_put(char c) { host_call(SYS_WRITEC, (uintptr_t)&c); }

@@ -1,5 +1,5 @@
-# Start-up of RV32 and RV64 without a C library: stack, .bss, main; and the call to the semihosting host.
-# Everything is loaded into RAM, so .data needs no copy.
+# Start-up of RV32, RV32E and RV64 without a C library: stack, .data, .bss, main; and the call to the semihosting host.
+# Registers are those RV32E has. Where everything is loaded into RAM, .data has no image and needs no copy.
 # SPDX-License-Identifier: MIT
   .section .start, "ax"
   .globl _start
@@ -9,6 +9,17 @@ _start:
   la sp, stack_top
   la t0, trap
   csrw mtvec, t0
+  la t0, data_image
+  la t1, data_begin
+  la t2, data_end
+copy:
+  bgeu t1, t2, copied
+  lb a0, 0(t0)
+  sb a0, 0(t1)
+  addi t0, t0, 1
+  addi t1, t1, 1
+  j copy
+copied:
   la t1, bss_begin
   la t2, bss_end
 clear:

@@ -2,11 +2,12 @@
 // int32, or over painted bytes. Whoever has less memory leaves lines out; no line may differ.
 // SPDX-License-Identifier: MIT
 #include "selftest.hpp"
-#include "dapple.hpp"
+#include "say.hpp"
 
 using dapple::Domain;
 using dapple::Preset;
 using dapple::Texture;
+using namespace selftest_say;
 namespace presets = dapple::presets;
 
 namespace {
@@ -43,54 +44,11 @@ struct Host {
   void (*put)(char);
   size_t bytes;
   void* memory;
+  dapple::Options options;
 };
 
-void print(const Host& host, const char* text) {
-  while (*text != 0) host.put(*text++);
-}
-
-void print_number(const Host& host, uint32_t number) {
-  char digit[10];
-  uint8_t count = 0;
-  do {
-    digit[count++] = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number > 0);
-  while (count > 0) host.put(digit[--count]);
-}
-
-void print_hex(const Host& host, uint64_t number) {
-  for (uint8_t i = 0; i < 16; ++i) {
-    const uint8_t digit = static_cast<uint8_t>(number >> 60);
-    host.put(static_cast<char>(digit < 10 ? '0' + digit : 'a' + digit - 10));
-    number <<= 4;
-  }
-}
-
-void add_byte(uint64_t& hash, uint8_t byte) { hash = (hash ^ byte) * UINT64_C(0x100000001b3); }
-
-// flat: all values are the same, so the hash says little.
-DAPPLE_APART uint64_t hash_of_field(Texture& texture, const Domain& d, bool& flat) {
-  uint64_t hash = UINT64_C(0xcbf29ce484222325);
-  int16_t row[kWidest], first = 0;
-  flat = true;
-  for (uint16_t y = 0; y < d.height; ++y) {
-    texture.row(y, row);
-    if (y == 0) first = row[0];
-    for (uint16_t x = 0; x < d.width; ++x) {
-      flat = flat && row[x] == first;
-      const uint8_t sign = row[x] < 0 ? 255 : 0;
-      add_byte(hash, static_cast<uint8_t>(static_cast<uint16_t>(row[x])));
-      add_byte(hash, static_cast<uint8_t>(static_cast<uint16_t>(row[x]) >> 8));
-      add_byte(hash, sign);
-      add_byte(hash, sign);
-    }
-  }
-  return hash;
-}
-
 DAPPLE_APART uint64_t hash_of_pixels(Texture& texture, const Domain& d) {
-  uint64_t hash = UINT64_C(0xcbf29ce484222325);
+  uint64_t hash = kFirstHash;
   uint8_t line[2 * kWidest];
   for (uint16_t y = 0; y < d.height; ++y) {
     texture.paint(y, dapple::Pixels::rgb565_swapped, line);
@@ -99,39 +57,26 @@ DAPPLE_APART uint64_t hash_of_pixels(Texture& texture, const Domain& d) {
   return hash;
 }
 
-void tell(const Host& host, const char* name, const char* kind, const Domain& d, uint32_t seed, uint64_t hash) {
-  print(host, name);
-  print(host, kind);
-  host.put(' ');
-  print_number(host, d.width);
-  host.put('x');
-  print_number(host, d.height);
-  host.put(' ');
-  print_number(host, seed);
-  host.put(' ');
-  print_hex(host, hash);
-  host.put('\n');
-}
-
 void finish(const Host& host, Texture& texture, dapple::Status status, const char* name, const Domain& d, uint32_t seed,
             bool pixels) {
   if (status != dapple::ok) {
-    print(host, name);
-    print(host, " is refused\n");
+    print(host.put, name);
+    print(host.put, " is refused\n");
     return;
   }
   while (texture.step(16) == dapple::more) {
   }
   bool flat = false;
-  const uint64_t hash = hash_of_field(texture, d, flat);
-  tell(host, name, flat ? " is flat" : "", d, seed, hash);
-  if (pixels) tell(host, name, "/rgb565", d, seed, hash_of_pixels(texture, d));
+  int16_t row[kWidest];
+  const uint64_t hash = hash_of_field(texture, d.width, d.height, row, flat);
+  tell(host.put, {name, flat ? " is flat" : "", d.width, d.height, seed, hash});
+  if (pixels) tell(host.put, {name, "/rgb565", d.width, d.height, seed, hash_of_pixels(texture, d)});
 }
 
 // source: a Preset or a Fixed
 [[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const Preset& preset, const Domain& d,
                                       uint32_t seed) {
-  return texture.begin(preset, d, seed, host.memory, host.bytes);
+  return texture.begin(preset, d, seed, host.memory, host.bytes, host.options);
 }
 [[maybe_unused]] dapple::Status begun(const Host& host, Texture& texture, const dapple::Fixed& fixed, const Domain&,
                                       uint32_t seed) {
@@ -179,8 +124,8 @@ void stored_tile(const Host& host, const char* name) {
 
 }  // namespace
 
-void selftest(void (*put)(char), size_t memory_bytes, void* memory) {
-  const Host host{put, memory_bytes, memory};
+void selftest(void (*put)(char), size_t memory_bytes, void* memory, const dapple::grid::KernelSwap* kernels) {
+  const Host host{put, memory_bytes, memory, {1, kernels}};
   tile<cell_program, 64, 64>(host, "cell-program");
   stored_tile<presets::zebra_bits, 1>(host, "zebra-bits/stored");
   stored_tile<presets::weave_bits, 2>(host, "weave-bits/stored");

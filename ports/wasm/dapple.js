@@ -1,11 +1,13 @@
-// The WebAssembly module for scripts: memory laid out, text both ways. A Desk is one instance with one recipe and, over
-// it, one texture or one cache of chunks; beginning anew uses the same memory again.
+// The WebAssembly module for scripts: memory laid out, text both ways. A Desk is one instance with one recipe and one
+// texture; beginning anew uses the same memory again. Needs words.js.
 // SPDX-License-Identifier: MIT
 "use strict";
 
 const dapple = {
   formats: { l8: 0, rgb888: 1, rgba8888: 2, rgb565: 3 },
-  views: ["colour", "field", "cells", "height", "normal"],
+  pixelBytes: [1, 3, 4, 2],  // by format
+  kinds: ["decimal", "integer", "program", "word", "schedule", "angles"],  // of numbers
+  enough: -15,  // too_little_memory: what begin says to a question
 
   // From base64 or bytes; a promise of what makes desks.
   async load(module) {
@@ -28,8 +30,17 @@ dapple.Desk = class {
     const after = (at, bytes) => (at + bytes + 15) & ~15;
     this.recipe = exports.heap();
     this.texture = after(this.recipe, exports.recipe_bytes());
-    this.chunks = after(this.texture, exports.texture_bytes());
-    this.memory = after(this.chunks, exports.chunks_bytes());
+    this.memory = after(this.texture, exports.texture_bytes());
+    this.room = exports.text_bytes();
+    this.reach(this.memory);
+    exports.limits();
+    const [stages, halo, side] = this.told(3);
+    this.limits = { stages, halo, side };
+    this.families = this.list(exports.family).map((name, i) => {
+      exports.family(i);
+      const [steps] = this.told(1), names = this.list((k) => exports.number(i, k));
+      return { name, steps, numbers: names.map((_, k) => this.number(i, k)) };
+    });
   }
 
   // Memory so that `end` is still within it.
@@ -44,72 +55,92 @@ dapple.Desk = class {
     }
   }
 
-  text(length) {
-    const all = new Uint8Array(this.exports.memory.buffer, this.exports.text(), this.exports.text_bytes());
-    return new TextDecoder().decode(all.subarray(0, length === undefined ? all.indexOf(0) : length));
+  bytes(at, length) { return new Uint8Array(this.exports.memory.buffer, at, length); }
+  told(count) { return [...new Int32Array(this.exports.memory.buffer, this.exports.told(), count)]; }
+
+  // Text ended by a zero, or null.
+  text(at) {
+    if (at === 0) return null;
+    const all = new Uint8Array(this.exports.memory.buffer, at);
+    return new TextDecoder().decode(all.subarray(0, all.indexOf(0)));
+  }
+  list(at) {
+    const all = [];
+    for (let place; (place = at(all.length)) !== 0;) all.push(this.text(place));
+    return all;
+  }
+  number(family, index) {
+    const name = this.text(this.exports.number(family, index)), [kind, low, high, standard, words, unit] = this.told(6);
+    const list = (this.text(words) || "").split("|");
+    return { name, kind: dapple.kinds[kind], low, high, standard, words: list, unit: this.text(unit) };
   }
 
   presets() {
-    const part = (i, k) => this.text(this.exports.preset(i, k));
-    return Array.from({ length: this.exports.preset_count() }, (_, i) => ({ name: part(i, 0), sentence: part(i, 1), line: part(i, 2) }));
+    const part = (k) => this.list((i) => this.exports.preset(i, k)), sentences = part(1), lines = part(2);
+    return part(0).map((name, i) => ({ name: name.replace(/_/g, "-"), sentence: sentences[i], line: lines[i] }));
   }
+  ramps() { return this.list(this.exports.ramp); }
 
   // null; or { column, words }.
   parse(line) {
-    const bytes = new TextEncoder().encode(line.replace(/[\s\0]/g, " "));
-    const room = this.exports.text_bytes() - 1;
-    const buffer = new Uint8Array(this.exports.memory.buffer, this.exports.text(), room + 1);
-    buffer.set(bytes.subarray(0, room));
-    buffer[Math.min(bytes.length, room)] = 0;
-    const column = this.exports.parse(this.recipe);
-    return column === 0 ? null : { column, words: this.text() };
+    const given = line.replace(/[\s\0]/g, " "), bytes = new TextEncoder().encode(given);
+    if (bytes.length >= this.room)
+      return { column: this.room, words: `a recipe has at most ${this.room - 1} characters` };
+    const buffer = this.bytes(this.exports.text(), this.room);
+    buffer.set(bytes);
+    buffer[bytes.length] = 0;
+    const status = this.exports.parse(this.recipe);
+    if (status === 0) return null;
+    const [at, place, length, low, high, whole, allowed] = this.told(7);
+    const decode = (part) => new TextDecoder().decode(part);
+    const column = decode(bytes.subarray(0, at - 1)).length + 1, word = decode(this.bytes(place, length));
+    const told = { status, column, word, low, high, whole, allowed: this.text(allowed) };
+    return { column, words: dappleWords.trouble(given, told, this) };
   }
 
-  halo() { return this.exports.halo(this.recipe); }
-
-  // A texture: domain is { plane, x, y, width, height }. Words if it is refused, else null.
+  // What a domain, { plane, x, y, width, height }, needs: { status, bytes, halo, width, height, multiple }.
+  need(d, seed = 0, memory = 0, room = 0) {
+    const { texture, recipe } = this;
+    const status = this.exports.begin(texture, recipe, +d.plane, d.x, d.y, d.width, d.height, seed, memory, room);
+    const [bytes, halo, width, height, multiple] = this.told(5);
+    return { status, bytes, halo, width, height, multiple };
+  }
+  // Words if it is refused, else null.
   refusal(d) {
-    return this.exports.need(this.recipe, +d.plane, d.x, d.y, d.width, d.height) < 0 ? this.text() : null;
+    const need = this.need(d);
+    return need.status === dapple.enough ? null : dappleWords.need(need.status, need, d.width, d.height, this);
   }
+  // Cells that a window is grown with on every side.
+  halo() { return this.need({ plane: true, x: 0, y: 0, width: 64, height: 64 }).halo; }
+
+  // Readies a texture; words if it is refused, else null.
   begin(d, seed) {
-    const bytes = this.exports.need(this.recipe, +d.plane, d.x, d.y, d.width, d.height);
-    if (bytes < 0) return this.text();
+    const words = this.refusal(d);
+    if (words) return words;
+    const { bytes } = this.need(d);
     this.out = (this.memory + bytes + 15) & ~15;
     if (!this.reach(this.out + 4 * d.width * d.height)) return "this browser has not enough memory for it";
     this.domain = d;
-    const status = this.exports.begin(this.texture, this.recipe, +d.plane, d.x, d.y, d.width, d.height, seed, this.memory, bytes);
-    return status === 0 ? null : this.text();
+    const need = this.need(d, seed, this.memory, bytes);
+    return need.status === 0 ? null : dappleWords.need(need.status, need, d.width, d.height, this);
   }
+  // Whether there is more to do.
   step(rows) { return this.exports.step(this.texture, rows) === 1; }
   progress() { return this.exports.progress(this.texture) / 1000; }
 
   // All pixels; valid until the next call.
   pixels(view, format = dapple.formats.rgba8888) {
-    const { width, height } = this.domain;
-    this.exports.paint(this.texture, 0, height, view, format, this.out);
-    return new Uint8ClampedArray(this.exports.memory.buffer, this.out, this.exports.bytes_a_row(format, width) * height);
+    const { width, height } = this.domain, row = dapple.pixelBytes[format] * width;
+    for (let y = 0; y < height; ++y) this.exports.paint(this.texture, y, view, format, this.out + y * row);
+    return new Uint8ClampedArray(this.exports.memory.buffer, this.out, row * height);
   }
+  // FNV-1a over the field, four bytes a cell, row by row.
   fieldHash() {
-    let hash = 0n;
-    for (let y = 0; y < this.domain.height; ++y) hash = this.exports.field_hash(this.texture, y, this.out, hash);
-    return BigInt.asUintN(64, hash).toString(16).padStart(16, "0");
-  }
-
-  // A cache of chunks.
-  beginChunks(seed, side, slots, view) {
-    const bytes = this.exports.chunks_need(this.recipe, side, slots);
-    if (bytes < 0) return this.text();
-    if (!this.reach(this.memory + bytes)) return "this browser has not enough memory for it";
-    this.side = side;
-    this.slots = slots;
-    const status = this.exports.chunks_begin(this.chunks, this.recipe, seed, side, slots, view, this.memory, bytes);
-    return status === 0 ? null : "the cache of chunks cannot begin";
-  }
-  lookAt(x, y, width, height) { return this.exports.chunks_look_at(this.chunks, x, y, width, height); }
-  stepChunks(rows) { return this.exports.chunks_step(this.chunks, rows) === 1; }
-  missing() { return this.exports.chunks_missing(this.chunks); }
-  chunk(cx, cy) {
-    const at = this.exports.chunks_pixels(this.chunks, cx, cy);
-    return at === 0 ? null : new Uint8ClampedArray(this.exports.memory.buffer, at, 4 * this.side * this.side);
+    const { width, height } = this.domain, cells = new Int32Array(width * height);
+    for (let y = 0; y < height; ++y) {
+      this.exports.field(this.texture, y, this.out);
+      cells.set(new Int16Array(this.exports.memory.buffer, this.out, width), y * width);
+    }
+    return dapple.hash(new Uint8Array(cells.buffer));
   }
 };

@@ -1,10 +1,10 @@
 // dapple as a WebAssembly module: exported functions over memory that the caller lays out. It imports nothing and keeps
-// nothing but a text buffer; recipes, textures and caches are areas of the caller's, as large as the *_bytes functions
-// say, anywhere from heap() on. Domains are given as plane (0: torus, 1: window), x, y, width, height. Numbers that are
-// negative are the library's Status, and text() then says why.
+// nothing but a text buffer and the numbers of the last answer, told(); a recipe and a texture are areas of the caller's,
+// as large as the *_bytes functions say, anywhere from heap() on. Domains are given as plane (0: torus, 1: window), x, y,
+// width, height. Negative answers are the library's Status; dapple.js puts them, and the numbers told, into words.
 // SPDX-License-Identifier: MIT
-#include "chunks.hpp"
-#include "words.hpp"
+#include "dapple.hpp"
+#include "recipe/text.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
 
@@ -12,137 +12,95 @@ namespace {
 
 using namespace dapple;
 
-constexpr int32_t kTextBytes = 6000;  // the longest recipe and more
+constexpr int32_t kTextBytes = recipe::kMaxText;  // the longest line and its zero
 constexpr int32_t kLongestSide = 65535;
 char text_buffer[kTextBytes];
+int32_t told_numbers[8];
 
 // Presets as text: recipes that are read when they are chosen take less room than recipes that are there.
 struct Listed {
-  const char *name, *sentence, *line;
+  const char* part[3];
 };
-constexpr Listed kEntries[] = {
-#define DAPPLE_PRESET(name, sentence, text) {#name, sentence, text},
+constexpr Listed kPresets[] = {
+#define DAPPLE_PRESET(name, sentence, text) {{#name, sentence, text}},
 #include "recipe/presets.def"
 #undef DAPPLE_PRESET
 };
-constexpr int32_t kEntryCount = sizeof kEntries / sizeof kEntries[0];
-
-wasm::Text say() { return wasm::Text(text_buffer, sizeof text_buffer); }
-
-Domain domain_of(int32_t plane, int32_t x, int32_t y, int32_t width, int32_t height) {
-  const uint16_t w = static_cast<uint16_t>(width), h = static_cast<uint16_t>(height);
-  return plane != 0 ? window(x, y, w, h) : torus(w, h);
-}
+constexpr int32_t kPresetCount = sizeof kPresets / sizeof kPresets[0];
+constexpr int32_t kFamilyCount = sizeof recipe::families / sizeof recipe::families[0];
+constexpr int32_t kRampCount = sizeof recipe::ramps / sizeof recipe::ramps[0];
 
 bool is_side(int32_t side) { return side >= kSmallestSide && side <= kLongestSide; }
-
-Brush brush_of(int32_t view, int32_t format) {
-  Brush brush;
-  brush.view = static_cast<View>(view);
-  brush.format = static_cast<Pixels>(format);
-  return brush;
-}
-
-int32_t refused(const Need& need, const Domain& domain) {
-  wasm::Text out = say();
-  wasm::tell_need(out, need, domain);
-  return need.status;
-}
+int32_t address(const char* text) { return static_cast<int32_t>(reinterpret_cast<uintptr_t>(text)); }
 
 }  // namespace
 
-extern "C" {
-extern uint8_t __heap_base;
+extern "C" uint8_t __heap_base;
 
-// Compilers turn loops into calls of these; a program without a library brings them.
-void* memset(void* to, int value, size_t count) {
-  uint8_t* byte = static_cast<uint8_t*>(to);
-  uint32_t word = static_cast<uint8_t>(value) * UINT32_C(0x01010101);
-  for (; count > 0 && reinterpret_cast<uintptr_t>(byte) % 4 != 0; --count) *byte++ = static_cast<uint8_t>(value);
-  for (; count >= 4; count -= 4, byte += 4) *reinterpret_cast<uint32_t*>(byte) = word;
-  for (; count > 0; --count) *byte++ = static_cast<uint8_t>(value);
-  return to;
-}
-
-void* memcpy(void* __restrict to, const void* __restrict from, size_t count) {
-  uint8_t* t = static_cast<uint8_t*>(to);
-  const uint8_t* f = static_cast<const uint8_t*>(from);
-  for (; count >= 8; count -= 8, t += 8, f += 8) __builtin_memcpy(t, f, 8);
-  for (; count > 0; --count) *t++ = *f++;
-  return to;
-}
-
-void* memmove(void* to, const void* from, size_t count) {
-  if (to <= from) return memcpy(to, from, count);
-  for (size_t i = count; i > 0; --i) static_cast<uint8_t*>(to)[i - 1] = static_cast<const uint8_t*>(from)[i - 1];
-  return to;
-}
-}
-
-// Where the caller's memory begins, and the buffer that text goes through both ways, ended by a zero.
+// Where the caller's memory begins; the buffer that recipes are handed over in, ended by a zero; the numbers told.
 EXPORT(heap)() -> uint32_t { return (static_cast<uint32_t>(reinterpret_cast<uintptr_t>(&__heap_base)) + 15) & ~15u; }
 EXPORT(text)() -> char* { return text_buffer; }
 EXPORT(text_bytes)() -> int32_t { return kTextBytes; }
-EXPORT(version)() -> int32_t { return kVersion; }
+EXPORT(told)() -> int32_t* { return told_numbers; }
 
-// Part 0 name, 1 sentence, 2 recipe line of preset `index` to text(); its length.
-EXPORT(preset_count)() -> int32_t { return kEntryCount; }
-EXPORT(preset)(int32_t index, int32_t part) -> int32_t {
-  if (index < 0 || index >= kEntryCount) return 0;
-  const Listed& entry = kEntries[index];
-  wasm::Text out = say();
-  out << (part == 0 ? entry.name : part == 1 ? entry.sentence : entry.line);
-  for (char* c = text_buffer; part == 0 && *c != 0; ++c)
-    if (*c == '_') *c = '-';
-  return static_cast<int32_t>(out.length());
+// Told: the most stages, the widest halo, the smallest side.
+EXPORT(limits)() -> void {
+  told_numbers[0] = kMaxStages;
+  told_numbers[1] = kWidestHalo;
+  told_numbers[2] = kSmallestSide;
 }
 
 EXPORT(recipe_bytes)() -> int32_t { return sizeof(Recipe); }
 EXPORT(texture_bytes)() -> int32_t { return sizeof(Texture); }
-EXPORT(chunks_bytes)() -> int32_t { return sizeof(Chunks); }
 
-// Reads text() as a whole recipe. 0; or the column, from 1, with text() saying what is wrong there.
+// Lists, each ended by 0. Of a preset: part 0 name (an underscore is a hyphen), 1 sentence, 2 recipe line.
+EXPORT(preset)(int32_t index, int32_t part) -> const char* { return index < kPresetCount ? kPresets[index].part[part] : nullptr; }
+EXPORT(ramp)(int32_t index) -> const char* { return index < kRampCount ? recipe::ramps[index].name : nullptr; }
+// A family's name; told: the steps it takes by itself.
+EXPORT(family)(int32_t index) -> const char* {
+  if (index >= kFamilyCount) return nullptr;
+  told_numbers[0] = static_cast<int32_t>(recipe::families[index].steps);
+  return recipe::families[index].name;
+}
+
+// Number `index` of a family: its name, or 0; told: Number::Kind, low, high, standard, words, unit.
+EXPORT(number)(int32_t family, int32_t index) -> const char* {
+  const recipe::Family& f = recipe::families[family];
+  if (index >= f.number_count) return nullptr;
+  const Number& n = f.numbers[index];
+  const int32_t told[] = {n.kind, n.low, n.high, n.standard, address(n.words), address(n.unit)};
+  for (uint8_t i = 0; i < 6; ++i) told_numbers[i] = told[i];
+  return n.name;
+}
+
+// Reads text() as a whole recipe: ok; or why not, told: column from 1, place and length of the word, low, high, whether
+// they are whole numbers (else 1/kMicro), and the words allowed, separated by '|', or 0.
 EXPORT(parse)(Recipe* recipe) -> int32_t {
-  static char given[kTextBytes];
   text_buffer[kTextBytes - 1] = 0;
-  memcpy(given, text_buffer, sizeof given);
   Recipe fresh{};
-  Trouble trouble{};
-  if (recipe::read(given, fresh, trouble) == ok) {
-    *recipe = fresh;
-    return 0;
-  }
-  wasm::Text out = say();
-  wasm::tell_trouble(out, given, trouble);
-  return trouble.column;
+  Trouble t{};
+  const Status status = recipe::read(text_buffer, fresh, t);
+  if (status == ok) *recipe = fresh;
+  const int32_t told[] = {t.column, address(t.word.text), t.word.length, t.low, t.high, t.whole, address(t.allowed)};
+  for (uint8_t i = 0; i < 7; ++i) told_numbers[i] = told[i];
+  return status;
 }
 
-// Bytes a texture needs.
-EXPORT(need)(const Recipe* recipe, int32_t plane, int32_t x, int32_t y, int32_t width, int32_t height) -> int32_t {
-  const Domain domain = domain_of(plane, x, y, width, height);
-  Need need{};
-  need.status = bad_side;
-  if (is_side(width) && is_side(height)) Texture().begin(*recipe, domain, 0, nullptr, 0, Options{}, &need);
-  if (need.status == too_little_memory && need.bytes <= INT32_MAX) return static_cast<int32_t>(need.bytes);
-  if (need.status == too_little_memory) need.status = too_large;
-  return refused(need, domain);
-}
-
-// Cells that a window is grown with on every side.
-EXPORT(halo)(const Recipe* recipe) -> int32_t {
-  Need need{};
-  Texture().begin(*recipe, window(0, 0, 64, 64), 0, nullptr, 0, Options{}, &need);
-  return static_cast<int32_t>(need.halo);
-}
-
+// Readies a texture. Whatever the answer, told: bytes wanted, halo, smallest width, smallest height, multiple. With no memory
+// it only asks, and too_little_memory is the answer to what would do.
 EXPORT(begin)(Texture* texture, const Recipe* recipe, int32_t plane, int32_t x, int32_t y, int32_t width, int32_t height,
               uint32_t seed, void* memory, uint32_t bytes) -> int32_t {
   if (!is_side(width) || !is_side(height)) return bad_side;
-  const Domain domain = domain_of(plane, x, y, width, height);
+  const uint16_t w = static_cast<uint16_t>(width), h = static_cast<uint16_t>(height);
+  const Domain domain = plane != 0 ? window(x, y, w, h) : torus(w, h);
   Need need{};
-  *texture = Texture();
   const Status status = texture->begin(*recipe, domain, seed, memory, bytes, Options{}, &need);
-  return status == ok ? ok : refused(need, domain);
+  told_numbers[0] = static_cast<int32_t>(need.bytes);
+  told_numbers[1] = static_cast<int32_t>(need.halo);
+  told_numbers[2] = need.width;
+  told_numbers[3] = need.height;
+  told_numbers[4] = need.multiple;
+  return need.bytes > INT32_MAX ? too_large : status;
 }
 
 // 1: more; 2: done.
@@ -154,55 +112,11 @@ EXPORT(progress)(const Texture* texture) -> int32_t {
   return all == 0 ? 1000 : static_cast<int32_t>(texture->rows_done() * 1000 / all);
 }
 
-// `rows` rows of pixels from row y on; bytes_a_row(format, width) each.
-EXPORT(bytes_a_row)(int32_t format, int32_t width) -> int32_t {
-  return static_cast<int32_t>(pixel_bytes(static_cast<Pixels>(format), static_cast<uint16_t>(width)));
+// Row y as pixels, and as numbers of 16 bits.
+EXPORT(paint)(Texture* texture, int32_t y, int32_t view, int32_t format, uint8_t* out) -> void {
+  Brush brush;
+  brush.view = static_cast<View>(view);
+  brush.format = static_cast<Pixels>(format);
+  texture->paint(static_cast<uint16_t>(y), brush, out);
 }
-EXPORT(paint)(Texture* texture, int32_t y, int32_t rows, int32_t view, int32_t format, uint8_t* out) -> void {
-  const Brush brush = brush_of(view, format);
-  const size_t bytes = pixel_bytes(brush.format, texture->domain().width);
-  for (int32_t i = 0; i < rows; ++i) texture->paint(static_cast<uint16_t>(y + i), brush, out + static_cast<size_t>(i) * bytes);
-}
-
-// Row y of the field: width 16-bit numbers.
 EXPORT(field)(Texture* texture, int32_t y, int16_t* out) -> void { texture->row(static_cast<uint16_t>(y), out); }
-
-// FNV-1a, 64 bit, on from `hash` (0: from the beginning) over row y of the field, four bytes a cell; `row` is room for it.
-EXPORT(field_hash)(Texture* texture, int32_t y, int16_t* row, uint64_t hash) -> uint64_t {
-  if (hash == 0) hash = UINT64_C(0xcbf29ce484222325);
-  texture->row(static_cast<uint16_t>(y), row);
-  for (uint16_t x = 0; x < texture->domain().width; ++x)
-    for (int32_t shift = 0; shift < 32; shift += 8)
-      hash = (hash ^ static_cast<uint8_t>(static_cast<uint32_t>(int32_t{row[x]}) >> shift)) * UINT64_C(0x100000001b3);
-  return hash;
-}
-
-// Bytes of memory a cache of chunks needs.
-EXPORT(chunks_need)(const Recipe* recipe, int32_t side, int32_t slots) -> int32_t {
-  Chunks chunks;
-  ChunkNeed need{};
-  const Brush brush = brush_of(0, static_cast<int32_t>(Pixels::rgba8888));
-  chunks.begin(*recipe, 0, static_cast<uint16_t>(side), static_cast<uint16_t>(slots), brush, nullptr, 0, Options{}, &need);
-  if (need.status == too_little_memory && need.bytes <= INT32_MAX) return static_cast<int32_t>(need.bytes);
-  Need told{};
-  told.status = need.status == too_little_memory ? too_large : need.status;
-  told.halo = need.halo;
-  if (told.status == halo_too_wide) told.halo = static_cast<uint32_t>(halo(recipe));
-  return refused(told, torus(0, 0));
-}
-
-EXPORT(chunks_begin)(Chunks* chunks, const Recipe* recipe, uint32_t seed, int32_t side, int32_t slots, int32_t view,
-                     void* memory, uint32_t bytes) -> int32_t {
-  *chunks = Chunks();
-  return chunks->begin(*recipe, seed, static_cast<uint16_t>(side), static_cast<uint16_t>(slots),
-                       brush_of(view, static_cast<int32_t>(Pixels::rgba8888)), memory, bytes);
-}
-
-EXPORT(chunks_look_at)(Chunks* chunks, int32_t x, int32_t y, int32_t width, int32_t height) -> int32_t {
-  if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide) return bad_side;
-  return chunks->look_at(x, y, static_cast<uint16_t>(width), static_cast<uint16_t>(height));
-}
-EXPORT(chunks_step)(Chunks* chunks, uint32_t rows) -> int32_t { return chunks->step(rows); }
-EXPORT(chunks_missing)(const Chunks* chunks) -> int32_t { return static_cast<int32_t>(chunks->missing()); }
-// The chunk's pixels, rgba, or 0.
-EXPORT(chunks_pixels)(const Chunks* chunks, int32_t cx, int32_t cy) -> const uint8_t* { return chunks->pixels(cx, cy); }

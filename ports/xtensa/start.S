@@ -24,14 +24,17 @@ cleared:
 stop:
   j stop
 
-# host_write(text, count): write(1, text, count)
+# host_put(character): write(1, its place, 1)
   .literal_position
   .align 4
-  .globl host_write
-host_write:
-  mov a5, a3
-  mov a4, a2
+  .globl host_put
+host_put:
+  addi a1, a1, -16
+  s8i a2, a1, 0
+  mov a4, a1
+  movi a5, 1
   movi a3, 1
   movi a2, 4
   simcall
+  addi a1, a1, 16
   ret

@@ -4,7 +4,9 @@
 #   avr_demo.sh --packages   what it takes, as tests/run installs it: command:package
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.bash"
-if [ "${1:-}" = --packages ]; then exec "$root/demo/avr/run" --packages; fi
+case ${1:-} in
+  --packages) exec "$root/demo/avr/run" --packages ;;
+esac
 need g++ clang++-16 avr-gcc simavr
 
 g++ -std=c++17 -O1 -I"$root/lib" "$root/demo/avr/desktop.cpp" -o "$scratch/desktop" && "$scratch/desktop" > "$scratch/want" ||

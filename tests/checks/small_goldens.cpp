@@ -116,6 +116,11 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
   return true;
 }
 
+// Images for what takes them: 3 x 2 directions and styles.
+constexpr int8_t kPairs[] = {127, 0, 0, 127, -127, 0, 90, 90, -20, 10, 0, -127};
+constexpr uint8_t kStyles[] = {255, 128, 255, 200, 140, 255, 90, 120, 128, 255, 0, 0, 64, 255, 255, 160, 128, 10};
+constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}};
+
 // The smallest torus, a window where the halo is not too wide, and both coarse to fine by the explicit solver where there
 // is one. Returns how many were wrong.
 int try_all(const std::string& name, const dapple::Recipe& whole) {
@@ -126,6 +131,7 @@ int try_all(const std::string& name, const dapple::Recipe& whole) {
     dapple::Recipe changed = recipe;
     dapple::Trouble trouble{};
     if (*changes != 0 && dapple::parse(changes, changed, trouble) != dapple::ok) continue;
+    dapple::set_maps(changed, kImages);
     const std::string label = name + (*changes != 0 ? "+euler+levels" : "");
     const dapple::Domain torus = smallest(changed);
     bool good = torus.width == 0 || print(label, changed, torus);

@@ -7,112 +7,64 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.bash"
 . "$root/demo/packages.bash"
-
-packages="g++:g++ clang++:clang ld.lld:lld llvm-size:llvm
-  qemu-aarch64-static:qemu-user-static qemu-system-arm:qemu-system-arm
-  qemu-system-riscv32:qemu-system-misc arm-none-eabi-g++:gcc-arm-none-eabi avr-gcc:gcc-avr simavr:simavr
-  /usr/lib/avr/include/avr/version.h:avr-libc xtensa-lx106-elf-g++:gcc-xtensa-lx106
-  aarch64-linux-gnu-g++:g++-aarch64-linux-gnu arm-linux-gnueabihf-g++:g++-arm-linux-gnueabihf
-  riscv64-linux-gnu-g++:g++-riscv64-linux-gnu i686-linux-gnu-g++:g++-i686-linux-gnu
-  s390x-linux-gnu-g++:g++-s390x-linux-gnu powerpc64-linux-gnu-g++:g++-powerpc64-linux-gnu
-  m68k-linux-gnu-g++:g++-m68k-linux-gnu"
+. "$root/ports/machines.bash"
 
 golden=$root/tests/golden/targets.txt
 patience=120  # seconds for one run
-sections="-ffunction-sections -fdata-sections"
-plain="-std=c++17 -Os $sections -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror"
-plain+=" -I$root/lib -I$root/ports/selftest"
-bare="-ffreestanding -fno-unwind-tables -fno-asynchronous-unwind-tables"
-bare_c="-Os $bare $sections -fno-builtin"
-shared="ports/selftest/selftest.cpp lib/one.cpp"
+watch=()
+options=
 
-# NAME LINES HOW ARGUMENTS...: LINES is how many lines the memory there makes room for.
+# NAME LINES OPTIONS...: LINES is how many lines the memory there makes room for; small: the self-test for 2 KB of RAM.
 targets() {
   cat <<'LIST'
-native          27 on_linux g++ -
-aarch64         27 on_linux aarch64-linux-gnu-g++ qemu-aarch64-static
-armhf           27 on_linux arm-linux-gnueabihf-g++ qemu-arm-static
-riscv64         27 on_linux riscv64-linux-gnu-g++ qemu-riscv64-static
-i686            27 on_linux i686-linux-gnu-g++ qemu-i386-static
-s390x           27 on_linux s390x-linux-gnu-g++ qemu-s390x-static
-ppc64           27 on_linux powerpc64-linux-gnu-g++ qemu-ppc64-static
-m68k            27 on_linux m68k-linux-gnu-g++ qemu-m68k-static
-cortex-m0       16 on_cortex_m microbit 0 256K 0x20000000 16K 10400 -DSELFTEST_FIXED -mcpu=cortex-m0
-cortex-m3       27 on_cortex_m mps2-an385 0 4M 0x20000000 4M 524288 -mcpu=cortex-m3
-cortex-m4       27 on_cortex_m mps2-an386 0 4M 0x20000000 4M 524288 -mcpu=cortex-m4 -mfloat-abi=soft
-cortex-m7       27 on_cortex_m mps2-an500 0 4M 0x20000000 4M 524288 -mcpu=cortex-m7 -mfloat-abi=soft
-cortex-m33      27 on_cortex_m mps2-an505 0x10000000 4M 0x38000000 2M 524288 -mcpu=cortex-m33 -mfloat-abi=soft
-cortex-m55      27 on_cortex_m mps3-an547 0 512K 0x20000000 512K 393216 -mcpu=cortex-m55 -mfloat-abi=hard
-rv32imc         27 on_riscv 32 -march=rv32imc -mabi=ilp32
-rv64imac        27 on_riscv 64 -march=rv64imac -mabi=lp64
-atmega1284p     16 on_avr 10400
-lx106           26 on_xtensa 131072
+native          27 -DPOOL=524288
+aarch64         27 -DPOOL=524288
+armhf           27 -DPOOL=524288
+riscv64         27 -DPOOL=524288
+i686            27 -DPOOL=524288
+s390x           27 -DPOOL=524288
+ppc64           27 -DPOOL=524288
+m68k            27 -DPOOL=524288
+cortex-m0       16 -DPOOL=10400 -DSELFTEST_FIXED
+cortex-m3       27 -DPOOL=524288
+cortex-m4       27 -DPOOL=524288
+cortex-m4-dsp   27 -DPOOL=524288
+cortex-m7       27 -DPOOL=524288
+cortex-m33      27 -DPOOL=524288
+cortex-m55      27 -DPOOL=393216
+cortex-m55-helium 27 -DPOOL=393216
+rv32imc         27 -DPOOL=524288
+rv64imac        27 -DPOOL=524288
+rv32ec           4 small
+atmega328p       4 small
+atmega1284p     16 -DPOOL=10400 -DSELFTEST_FIXED
+atmega2560       7 -DPOOL=2600 -DSELFTEST_FIXED
+lx106           26 -DPOOL=131072
 LIST
 }
 
-# Each of these builds in the folder $out and leaves what the program says in $out/said.
-on_linux() {
-  local compiler=$1 emulator=$2
-  [ "$emulator" = - ] && emulator=
-  # shellcheck disable=SC2086
-  (cd "$root" && $compiler $plain -static -Wl,--gc-sections ports/linux/main.cpp $shared -o "$out/program") || return 1
-  # shellcheck disable=SC2086
-  timeout $patience $emulator "$out/program" > "$out/said"
-}
-
-# compile COMPILER OPTIONS... -- FILES...: an object of each file
-compile() {
-  local command=() file
-  while [ "$1" != -- ]; do command+=("$1"); shift; done
+# grow NAME OPTIONS...: the self-test there; what it says is in $out/said. NAME-KERNELS: with that list of ports/cortex-m.
+grow() {
+  local name=$1 main=ports/selftest/main.cpp kernels files=(ports/selftest/selftest.cpp lib/one.cpp)
   shift
-  for file; do "${command[@]}" -c "$root/$file" -o "$out/$(basename "$file").o" || return 1; done
+  options=$*
+  case $name in *-helium | *-dsp)
+    kernels=${name##*-} name=${name%-*}
+    options+=" -DSELFTEST_KERNELS=dapple::$kernels::kernels"
+    files+=("ports/cortex-m/$kernels.cpp" ports/selftest/rows.cpp) ;;
+  esac
+  [ ! -f "$root/ports/$(port_of "$name")/main.cpp" ] || main=ports/$(port_of "$name")/main.cpp
+  files+=("$main")
+  [ "$options" != small ] || options="" files=(ports/selftest/small.cpp)
+  build_for "$name" && constants_are_low "$name" && run_on "$name"
 }
 
-on_cortex_m() {
-  local board=$1 places="rom=$2,--defsym=rom_size=$3,--defsym=ram=$4,--defsym=ram_size=$5" pool=$6
-  shift 6
-  local cpu="-mthumb $*"
-  # shellcheck disable=SC2086
-  compile arm-none-eabi-gcc $cpu $bare_c -fno-tree-loop-distribute-patterns -- \
-      ports/cortex-m/start.c ports/bare/memory.c &&
-    compile arm-none-eabi-g++ $cpu $plain $bare -DPOOL="$pool" -- ports/cortex-m/main.cpp $shared &&
-    arm-none-eabi-gcc $cpu -nostdlib -nostartfiles -Wl,--gc-sections "-Wl,--defsym=$places" \
-      -T "$root/ports/cortex-m/board.ld" "$out"/*.o -lgcc -o "$out/program" || return 1
-  timeout $patience qemu-system-arm -M "$board" -display none -monitor none -serial none \
-    -semihosting-config enable=on,target=native -kernel "$out/program" > "$out/said" 2>&1
-}
-
-on_riscv() {
-  local bits=$1
-  shift
-  local target="--target=riscv$bits-unknown-elf $* -mcmodel=medany -mno-relax"
-  # shellcheck disable=SC2086
-  compile clang++ $target $plain $bare -DPOOL=524288 -- ports/riscv/main.cpp $shared &&
-    compile clang $target $bare_c -- ports/riscv/start.S ports/bare/wide.c ports/bare/memory.c &&
-    ld.lld --gc-sections -T "$root/ports/riscv/virt.ld" "$out"/*.o -o "$out/program" || return 1
-  timeout $patience "qemu-system-riscv$bits" -M virt -bios none -display none -monitor none -serial none \
-    -semihosting-config enable=on,target=native -kernel "$out/program" > "$out/said" 2>&1
-}
-
-# simavr ends a line with a dot and the end of a colour. -Oz: ports/avr/README.md says why.
-on_avr() {
-  # shellcheck disable=SC2086
-  (cd "$root" && clang++ --target=avr -mmcu=atmega1284p $plain -Oz -DSELFTEST_FIXED -DPOOL="$1" -Wl,--gc-sections \
-    ports/avr/main.cpp $shared -o "$out/program") || return 1
-  timeout $patience simavr -m atmega1284p -f 16000000 "$out/program" > "$out/raw" 2>&1 || return 1
-  sed -E 's/\x1b\[[0-9;]*m//g; s/\.*\r?$//; /^$/d; /^Loaded /d' "$out/raw" > "$out/said"
-}
-
-on_xtensa() {
-  local cpu="-mlongcalls -mtext-section-literals"
-  # shellcheck disable=SC2086
-  compile xtensa-lx106-elf-gcc $cpu $bare_c -fno-tree-loop-distribute-patterns -- \
-      ports/xtensa/start.S ports/xtensa/product.c ports/bare/wide.c ports/bare/memory.c &&
-    compile xtensa-lx106-elf-g++ $cpu $plain $bare -DPOOL="$1" -- ports/xtensa/main.cpp $shared &&
-    xtensa-lx106-elf-gcc -nostdlib -nostartfiles -Wl,--gc-sections -T "$root/ports/xtensa/sim.ld" \
-      "$out"/*.o -lgcc -o "$out/program" || return 1
-  timeout $patience qemu-system-xtensa -M sim -cpu lx106 -semihosting -display none -monitor none -serial none \
-    -kernel "$out/program" > "$out/said" 2>&1
+# An AVR reads constants by addresses of 16 bits.
+constants_are_low() {
+  local end
+  [ "$(port_of "$1")" = avr ] || return 0
+  end=$((16#$(llvm-nm "$out/program" | awk '$3 == "__trampolines_start" { print $1 }')))
+  [ "$end" -gt 0 ] && [ "$end" -le 65536 ] || { echo "constants reach to $end in flash"; return 1; }
 }
 
 # compare SAID LINES GOLDEN: says what differs, if anything does. Lines that begin with # are remarks.
@@ -127,17 +79,17 @@ compare() {
 
 # What firmware puts into flash; a static program of Linux is mostly the C library.
 flash_of() {
-  [ "$1" = on_linux ] || llvm-size "$2" | awk 'NR == 2 { printf ", %d bytes of flash", $1 + $2 }'
+  [ "$(port_of "${1%-helium}")" = linux ] || llvm-size "$2" | awk 'NR == 2 { printf ", %d bytes of flash", $1 + $2 }'
 }
 
-# run_target NAME LINES HOW ARGUMENTS...: leaves its verdict in $scratch/NAME/verdict
+# run_target NAME LINES OPTIONS...: leaves its verdict in $scratch/NAME/verdict
 run_target() {
   local name=$1 lines=$2 out=$scratch/$1 start=$SECONDS verdict
   shift 2
-  if ! "$@" > "$out/log" 2>&1 < /dev/null; then
+  if ! grow "$name" "$@" > "$out/log" 2>&1 < /dev/null; then
     verdict="does not build or run: $(cat "$out/log" "$out/said" 2> /dev/null | tail -4)"
   elif verdict=$(compare "$out/said" "$lines" "$golden"); then
-    verdict="$((SECONDS - start)) s$(flash_of "$1" "$out/program")$(sed -n 's/^# /, /p' "$out/said")"
+    verdict="$((SECONDS - start)) s$(flash_of "$name" "$out/program")$(sed -n 's/^# /, /p' "$out/said" | tr -d '\n')"
     echo "$name: $lines textures equal ($verdict)" > "$out/good"
     return
   fi
@@ -164,7 +116,7 @@ test_the_golden() {
 bless() {
   local out=$scratch/bless
   mkdir "$out"
-  on_linux g++ - || { fail "the native build fails"; finish; }
+  grow native -DPOOL=524288 || { fail "the native build fails"; finish; }
   ! grep 'is [fr]' "$out/said" || { fail "not blessed"; finish; }
   cp "$out/said" "$golden"
   echo "wrote tests/golden/targets.txt: $(wc -l < "$golden") lines"
@@ -172,11 +124,11 @@ bless() {
 
 only=
 case ${1:-} in
-  --packages) echo $packages; exit 0 ;;
+  --packages) echo $machine_packages; exit 0 ;;
   --only) only=${2:?a target} ;;
 esac
 # shellcheck disable=SC2086
-missing=$(missing_of $packages)
+missing=$(missing_of $machine_packages)
 [ -z "$missing" ] || { echo "missing packages:" $missing; exit 1; }
 [ "${1:-}" != --bless ] || bless
 

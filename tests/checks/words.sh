@@ -11,5 +11,5 @@ look_for() {
 
 look_for "a path of one machine" '/w[o]rk/|/t[m]p/[a-z]|/h[o]me/[a-z]|/r[o]ot/'
 look_for "a folder beside the tree" '\.\./s[h]ared'
-look_for "a number of an issue" '(^|[[:space:](])#[0-9]+([^0-9a-fA-F]|$)'
+look_for "a number of an issue" '(^|[[:space:](])#[0-9]+([^0-9a-fA-F"]|$)'
 finish

@@ -42,7 +42,7 @@ test_words() {
 }
 
 test_list() {
-  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|gray-scott|bits|flow|cells) +[^ ].*[^ ]$')" 0
+  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|mapped|gray-scott|bits|flow|cells) +[^ ].*[^ ]$')" 0
   check "list has zebra" grep -q '^zebra  *threshold  *[a-z]' <(run list)
   run list --json > "$folder/list.json"
   [ $python = no ] || equal "list --json" "$(python3 -c 'import json, sys
@@ -280,7 +280,7 @@ test_recipe_errors() {
   refused 2 wavelength "out of range" -- grow zebra wavelength=300
   refused 2 fine levels -- grow zebra fine=3
   refused 2 "level 1" "level=0" -- grow zebra level=1
-  refused 2 "'thershold pairs=2'" "threshold, gray-scott" -- grow 'thershold pairs=2'
+  refused 2 "'thershold pairs=2'" "threshold, mapped, gray-scott" -- grow 'thershold pairs=2'
   refused 2 "5013 characters" 4000 -- grow "threshold $(printf '%5003s' '')"
   refused 2 "'zebra?rho=9'" -- grow "$(printf 'zebra\nrho=9')"
   local name
@@ -321,6 +321,41 @@ test_failures() {
 }
 
 # A signal takes the unfinished file along.
+# Directions from pictures: one of one grey is a constant map; what cannot be read is refused, and says why.
+test_maps() {
+  local maps=$folder/maps
+  mkdir -p "$maps"
+  { printf 'P5\n# one direction\n5 3\n255\n'; head -c 15 /dev/zero; } > "$maps/flat.pgm"
+  { printf 'P5 16 16 255\n'; for _ in $(seq 32); do printf '\1\100\377\100\1\100\377\100'; done; } > "$maps/bars.pgm"
+  { printf 'P6 2 1 255\n'; printf '\377\200\0\1\200\0'; } > "$maps/two.ppm"
+  printf 'P5 16 16 255\nshort' > "$maps/short.pgm"
+  printf 'P5 16 x 255\n' > "$maps/header.pgm"
+  printf 'P5 16 16 65535\n' > "$maps/deep.pgm"
+  printf 'P5 99999 16 255\n' > "$maps/wide.pgm"
+  printf 'GIF89a' > "$maps/other.pgm"
+  equal "map: one grey, one direction" "$(hash_of radial --size 64 map=@"$maps/flat.pgm" --map-as values)" "$(hash_of radial --size 64 map=none)"
+  equal "map: bars run down" "$(hash_of radial --size 64 map=@"$maps/bars.pgm" steps=3)" "$(hash_of radial --size 64 map=none angle=90 steps=3)"
+  differ "map: red and green" "$(hash_of radial --size 64 map=@"$maps/two.ppm" --map-as values)" "$(hash_of radial --size 64 map=none)"
+  check "map: info takes one" run info radial map=@"$maps/flat.pgm"
+  check "map: kept bytes" grep -qE '^  of them kept +131072 bytes$' <(run info radial)
+  equal "map: solver=lean keeps none" "$(run info radial solver=lean | grep -c 'of them kept')" 0
+  refused 1 "$maps/none.pgm" "No such file" -- grow radial map=@"$maps/none.pgm"
+  refused 1 short.pgm "5 bytes of pixels, not 256" -- grow radial map=@"$maps/short.pgm"
+  refused 1 header.pgm header damaged -- grow radial map=@"$maps/header.pgm"
+  refused 1 deep.pgm 65535 255 -- grow radial map=@"$maps/deep.pgm"
+  refused 1 wide.pgm 99999x16 8192 -- grow radial map=@"$maps/wide.pgm"
+  refused 1 other.pgm "PGM or PPM" -- info radial map=@"$maps/other.pgm"
+  { printf 'P6 1 1 255\n'; printf '\377\200\377'; } > "$maps/plain.ppm"
+  { printf 'P5 2 1 255\n'; printf '\377\100'; } > "$maps/shorter.pgm"
+  equal "style: the recipe's own" "$(hash_of radial --size 64 style=@"$maps/plain.ppm")" "$(hash_of radial --size 64)"
+  differ "style: shorter waves" "$(hash_of radial --size 64 style=@"$maps/shorter.pgm")" "$(hash_of radial --size 64)"
+  refused 1 short.pgm "5 bytes of pixels, not 256" -- grow radial style=@"$maps/short.pgm"
+  refused 2 "map=@FILE" -- grow radial map=image
+  refused 2 "style=@FILE" -- grow radial solver=styled
+  refused 2 "'map'" threshold -- grow zebra map=@"$maps/flat.pgm"
+  refused 2 "--map-as 'up'" structure values -- grow radial --map-as up
+}
+
 test_signal() {
   local job tries=0
   rm -f -- *
@@ -334,7 +369,7 @@ test_signal() {
   equal "nothing is left" "$(ls -A)" ""
 }
 
-for part in words list info bytes steps pictures raw repeat header sheet usage_errors recipe_errors failures signal; do
+for part in words list info bytes steps pictures raw repeat header sheet usage_errors recipe_errors failures maps signal; do
   test_$part
 done
 echo "cli: $passed passed, $failed failed"

@@ -60,6 +60,9 @@ std::vector<Plane> start_of(const dapple::Recipe& recipe, const Grid& grid, uint
 // The shading field, eq. (13) to (15).
 Plane shading(const Threshold& t, const std::vector<Plane>& planes);
 
+// C <- e^-1/2 C + (1 - e^-1/2) k R, R the strict threshold on the field: the impulse of b dt = 1/2 before its Gaussian.
+void impulse(const Threshold& t, std::vector<Plane>& planes, uint32_t step);
+
 // Grow the whole recipe: macro steps b dt = 1/2 of eq. (12) with the library's passes in exact arithmetic; the same
 // with the true Gaussian, eq. (9), by Fourier transform; explicit steps, eq. (5) and (7), `sub_steps` to a macro step.
 std::vector<Plane> grow_by_passes(const Threshold& t, std::vector<Plane> planes, const Grid& grid);

@@ -72,8 +72,7 @@ Plane shading(const Threshold& t, const std::vector<Plane>& planes) {
   return field;
 }
 
-// C <- e^-1/2 C + (1 - e^-1/2) k R, R the strict threshold on the field: the impulse of b dt = 1/2 before its Gaussian.
-static void impulse(const Threshold& t, std::vector<Plane>& planes, uint32_t step) {
+void impulse(const Threshold& t, std::vector<Plane>& planes, uint32_t step) {
   const Plane field = shading(t, planes);
   const double rho = scheduled(t.rho, step, t.steps), decay = std::exp(-0.5),
                add = (1 - decay) * scheduled(t.k, step, t.steps);

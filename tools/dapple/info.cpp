@@ -29,6 +29,19 @@ int32_t wavelength_of(const dapple::Recipe& recipe) {
   return longest;
 }
 
+// Bytes of the planes that solvers keep beside the model's own, at the finest grid that has them.
+uint64_t kept_bytes(const dapple::Recipe& recipe, const dapple::Need& need, dapple::Domain domain) {
+  const dapple::grid::Ground ground = dapple::api::ground_of(domain, need);
+  uint64_t most = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const dapple::Stage& stage = recipe.stage[i];
+    const dapple::evolve::Reach reach = stage.solver->reach(*stage.model, stage.number, stage.level);
+    const uint16_t width = dapple::evolve::at_level(ground.width, stage.level);
+    most = std::max(most, uint64_t{reach.kept} * dapple::grid::row_bytes(stage.model->cell, width) * dapple::evolve::at_level(ground.height, stage.level));
+  }
+  return most;
+}
+
 const char* cell_name(dapple::grid::Cell cell) {
   return cell == dapple::grid::Cell::bit ? "bit" : cell == dapple::grid::Cell::int16 ? "int16" : "int32";
 }
@@ -79,6 +92,10 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
       {"sweeps", "sweeps", text(need.sweeps), ""},
       {"rows", "rows of work", text(need.rows), ""},
   };
+  if (const uint64_t kept = kept_bytes(recipe, need, domain); kept > 0) {
+    const auto scratch = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("scratch_bytes"); });
+    all.insert(scratch, {"kept_bytes", "  of them kept", text(kept), "bytes"});
+  }
   const std::vector<Figure> shape = domain.plane ? window_figures(need, domain) : tile_figures(need);
   const auto radius = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("radius"); });
   all.insert(radius, shape.begin(), shape.end());

@@ -165,6 +165,10 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
+    {"--map-as", "HOW", in_grow | in_info,
+     "how map=@FILE (PGM, PPM) is read: structure, stripes along what the picture shows;\n"
+     "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
+     [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
     {"-o", "FILE", in_grow | in_sheet, "file to write; its suffix picks the format; - is standard output", read_output},
     {"--format", "FORMAT", in_grow | in_sheet,
      "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image.hpp"
+#include "map_image.hpp"
 
 namespace cli {
 
@@ -24,6 +25,7 @@ struct Options {
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
   std::optional<uint32_t> steps;
+  MapAs map_as = MapAs::structure;  // how map=@FILE is read
   std::string output;  // empty: after the subject
   std::optional<Format> format;
   dapple::View view = dapple::View::colour;

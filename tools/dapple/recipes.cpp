@@ -13,6 +13,7 @@ using dapple::Trouble;
 using dapple::recipe::Family;
 
 constexpr size_t kLongestRecipe = 4000;
+constexpr std::string_view kMapFile = "map=@", kStyleFile = "style=@";
 
 // Changes that turn one name into the other: letters put in, left out or replaced.
 static size_t distance_of(const std::string& a, const std::string& b) {
@@ -146,9 +147,27 @@ static Subject subject_named(const std::string& name) {
   return subject;
 }
 
+// map=@FILE and style=@FILE: reads the picture, and puts what the recipe calls it in the word's place.
+static void read_picture(std::string& word, MapAs as, PictureMaps& maps) {
+  if (word.compare(0, kMapFile.size(), kMapFile) == 0) {
+    read_map(word.substr(kMapFile.size()), as, maps);
+    word = "map=image";
+  } else if (word.compare(0, kStyleFile.size(), kStyleFile) == 0) {
+    read_styles(word.substr(kStyleFile.size()), maps);
+    word = "solver=styled";
+  }
+}
+
 Subject subject_of(const Options& options) {
   Subject subject = subject_named(options.subject);
-  if (!options.changes.empty()) change_all(subject.recipe, options.changes);
+  std::vector<std::string> changes = options.changes;
+  const auto maps = std::make_shared<PictureMaps>();
+  for (std::string& word : changes) read_picture(word, options.map_as, *maps);
+  if (!changes.empty()) change_all(subject.recipe, changes);
+  if (maps->maps.direction.pairs != nullptr || maps->maps.style.cells != nullptr) {
+    dapple::set_maps(subject.recipe, maps->maps);
+    subject.maps = maps;
+  }
   if (options.ramp) subject.recipe.paint.ramp = *options.ramp;
   return subject;
 }
@@ -206,6 +225,8 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       fail_for_size(subject, domain, need);
     case dapple::too_far:
       fail_for_place(domain);
+    case dapple::bad_map:
+      refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM or PPM files");
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:

@@ -10,6 +10,7 @@ struct Subject {
   std::string name;      // of the preset, "texture" for a line of text
   std::string sentence;  // empty for a line of text
   dapple::Recipe recipe;
+  std::shared_ptr<const PictureMaps> maps = nullptr;  // of map=@FILE, style=@FILE: the recipe points to them
 };
 
 // Reads the subject and its changes; refuses what cannot be read.

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "rule.hpp"
 
-#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
-#include <cstring>
 
 #include "commands.hpp"
 #include "errors.hpp"
+#include "input.hpp"
 #include "rule_complete.hpp"
 #include "rule_map.hpp"
 #include "rule_output.hpp"
@@ -22,18 +21,6 @@ namespace {
 
 constexpr uint32_t kLimit = 1000;      // steps in which a program may settle
 constexpr uint32_t kChoices = 200000;  // of a search for a stable state
-
-std::string read_file(const std::string& path) {
-  std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) fail("cannot read " + shown(path) + ": " + std::strerror(errno));
-  std::string text;
-  char part[4096];
-  for (size_t count; (count = std::fread(part, 1, sizeof part, file)) > 0;) text.append(part, count);
-  const int error = std::ferror(file) != 0 ? errno : 0;
-  std::fclose(file);
-  if (error != 0) fail("cannot read " + shown(path) + ": " + std::strerror(error));
-  return text;
-}
 
 Torus read_start(const Options& options) {
   Pattern pattern;

@@ -1,0 +1,293 @@
+// Passes in divergence form along a map of directions. See flux.hpp.
+// SPDX-License-Identifier: MIT
+#include "flux.hpp"
+
+namespace dapple::stencil {
+
+using base::mulhi;
+using grid::Cell;
+using i16 = int16_t;
+
+static i16 positive(i16 a) { return a > 0 ? a : static_cast<i16>(0); }
+static i16 absolute(i16 a) { return a > 0 ? a : static_cast<i16>(-a); }
+static i16 third(i16 a) { return mulhi(a, 21845); }
+
+// A stream's direction against a way, mirrored so that the three kinds of way are (1, 0), (1, 1) and (2, 1):
+// x = 2 a c + 2 b s, y = 2 d c + 2 e s of the map's Q7 (c, s), with a, b, d, e in Q15; a vector of 127 becomes one of
+// kOne.
+struct Mirror {
+  i16 a, b, d, e;
+};
+static Mirror mirror_of(const FluxSet::Stream& s, uint8_t way) {
+  const i16 flip_x = way == 1 || way >= 6 ? static_cast<i16>(-1) : static_cast<i16>(1);
+  const i16 flip_y = way >= 2 && (way & 1) != 0 ? static_cast<i16>(-1) : static_cast<i16>(1);
+  return {static_cast<i16>(flip_x * s.c), static_cast<i16>(-flip_x * s.s), static_cast<i16>(flip_y * s.s),
+          static_cast<i16>(flip_y * s.c)};
+}
+
+// The parts of a packed cell in Q15.
+static i16 high_cos(i16 cell) { return static_cast<i16>(static_cast<uint16_t>(cell) << 8); }
+static i16 high_sin(i16 cell) { return static_cast<i16>(cell & ~255); }
+static i16 turned(i16 c, i16 s, i16 a, i16 b) { return static_cast<i16>(mulhi(c, a) + mulhi(s, b)); }
+
+// Whatever the map holds |(x, y)| <= 180 / 127 kOne < 23000; what would double beyond int16 is held at 16383. The
+// vector is a sum of g_i u_i, u_i the doubled ways, with the two g_i beside it positive.
+static i16 held(i16 x) { return x < 16383 ? x : static_cast<i16>(16383); }
+// Axes: 2 g - sum of all g, -25800..32766; the sum is max(|x| + |y|/2, |y| + |x|/3).
+static void pull_axis(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
+  for (uint16_t k = 0; k < n; ++k) {
+    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
+    const i16 x = turned(c, s, m.a, m.b);
+    const i16 a = absolute(x), b = absolute(turned(c, s, m.d, m.e));
+    const i16 own = held(positive(static_cast<i16>(x - static_cast<i16>(b - (b >> 2)))));
+    const i16 wide = static_cast<i16>(a + (b >> 1)), high = static_cast<i16>(b + third(a));
+    out[k] = static_cast<i16>(static_cast<i16>(2 * own) - (wide > high ? wide : high));
+  }
+}
+// Diagonals: g = y - 4/3 |x|.
+static void pull_diagonal(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
+  for (uint16_t k = 0; k < n; ++k) {
+    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
+    const i16 a = absolute(turned(c, s, m.a, m.b));
+    const i16 y = positive(turned(c, s, m.d, m.e));
+    out[k] = positive(static_cast<i16>(y - static_cast<i16>(a + third(a))));
+  }
+}
+// Knight's moves: g = min(5/4 y, 5/3 x).
+static void pull_knight(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
+  for (uint16_t k = 0; k < n; ++k) {
+    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
+    const i16 x = held(positive(turned(c, s, m.a, m.b))), y = positive(turned(c, s, m.d, m.e));
+    const i16 one = static_cast<i16>(y + (y >> 2)), other = static_cast<i16>(static_cast<i16>(2 * x) - third(x));
+    out[k] = one < other ? one : other;
+  }
+}
+
+// What a way gets of a stream's direction, in units of kOne.
+static void pull_row(const FluxSet::Stream& s, uint8_t way, const i16* map, i16* out, uint16_t n) {
+  const Mirror m = mirror_of(s, way);
+  if (way < 2) pull_axis(map, out, n, m);
+  else if (way < 4) pull_diagonal(map, out, n, m);
+  else pull_knight(map, out, n, m);
+}
+
+// The mean of both ends of every link.
+static void link_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out,
+                     uint16_t n) {
+  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] >> 1) + (to[x] >> 1));
+}
+
+// A stage of a plane: with q = mean + slope * lean the share of a link, 1/unit,
+//   t = clamp(q - before, 0, cap);  weight = 2 mulhi(t << shift, factor) <= 16384, Q16.
+// cap << shift is 16384..32767, so that the weight keeps 13 bits.
+struct Stage {
+  i16 slope, offset, cap, factor;
+  i16 mean, before;  // offset is mean - before
+  uint8_t shift;
+};
+static Stage stage_of(const Spread& p, uint8_t way, uint8_t stage) {
+  const int32_t stride = stride_of(stage), cap = stride * stride * (p.unit / 2);
+  uint8_t shift = 0;
+  while ((cap << shift) < 16384) ++shift;
+  const int32_t mean = way < 2 ? p.mean : INT32_C(0), before = share_before(p, stage);
+  return {static_cast<i16>(slope_of(p, way) * 65536 / kOne),
+          static_cast<i16>(mean - before),
+          static_cast<i16>(cap),
+          static_cast<i16>(base::min((INT32_C(1) << 29) / (cap << shift), 32767)),
+          static_cast<i16>(mean),
+          static_cast<i16>(before),
+          shift};
+}
+
+// What a link carries: floor(weight * (to - from) / 2^16 + 1/2), in 16 bits throughout: |2 (to - from)| <= 32000, and
+// floor((floor(2 a) + 1) / 2) = floor(a + 1/2). (The loops stay functions of their own: where a compiler sees that the
+// factor is positive it multiplies in 32 bits.)
+static inline i16 carried_of(i16 q, i16 from, i16 to, Stage s) {
+  const i16 t = positive(q < s.cap ? q : s.cap);
+  const i16 weight = static_cast<i16>(2 * mulhi(static_cast<i16>(static_cast<uint16_t>(t) << s.shift), s.factor));
+  const i16 d = static_cast<i16>(to - from);
+  return static_cast<i16>((mulhi(static_cast<i16>(2 * d), weight) + 1) >> 1);
+}
+static inline i16 carried(i16 link, i16 from, i16 to, Stage s) {
+  return carried_of(static_cast<i16>(mulhi(link, s.slope) + s.offset), from, to, s);
+}
+// Where styles shorten the wavelength the share is less by its lack, Q15: q (1 - lack).
+static inline i16 carried_less(i16 link, i16 lack, i16 from, i16 to, Stage s) {
+  const i16 q = static_cast<i16>(mulhi(link, s.slope) + s.mean);
+  return carried_of(static_cast<i16>(q - static_cast<i16>(2 * mulhi(q, lack)) - s.before), from, to, s);
+}
+DAPPLE_APART static void carry_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
+                                   const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+  for (uint16_t x = 0; x < n; ++x) flux[x] = carried(link[x], from[x], to[x], s);
+}
+// The same, and what comes of it: plus what comes from ahead, less what went on from behind.
+DAPPLE_APART static void move_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
+                                  const i16* DAPPLE_RESTRICT to, const i16* DAPPLE_RESTRICT behind,
+                                  i16* DAPPLE_RESTRICT flux, i16* DAPPLE_RESTRICT out, uint16_t n, Stage s) {
+  for (uint16_t x = 0; x < n; ++x) {
+    const i16 ahead = carried(link[x], from[x], to[x], s);
+    flux[x] = ahead;
+    out[x] = static_cast<i16>(from[x] + ahead - behind[x]);
+  }
+}
+
+DAPPLE_APART static void carry_less(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT lack,
+                                    const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
+                                    i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+  for (uint16_t x = 0; x < n; ++x) flux[x] = carried_less(link[x], lack[x], from[x], to[x], s);
+}
+
+static void add_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT ahead,
+                    const i16* DAPPLE_RESTRICT behind, i16* DAPPLE_RESTRICT out, uint16_t n) {
+  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>(from[x] + ahead[x] - behind[x]);
+}
+
+// The kernels' scratch rows.
+struct Work {
+  uint8_t* base;
+  size_t row;
+  uint16_t n, halo;
+};
+static Work work_of(const grid::Rows& rows, const FluxSet& set) {
+  return {rows.scratch + grid::halo_bytes(Cell::int16, set.halo), grid::scratch_bytes(Cell::int16, rows.n, set.halo),
+          rows.n, set.halo};
+}
+static i16* slot(const Work& w, uint8_t i) { return reinterpret_cast<i16*>(w.base + i * w.row); }
+static void wrap(const Work& w, i16* row, uint16_t halo) { grid::wrap_row(Cell::int16, row, w.n, halo); }
+
+// Slots: two rows of every stream's pulls, two of every plane's flux, which take turns; the links; the maps.
+static uint8_t pull_slot(uint8_t stream, uint8_t turn) { return static_cast<uint8_t>(2 * stream + turn); }
+static uint8_t flux_slot(const FluxSet& set, uint8_t plane, uint8_t turn) {
+  return static_cast<uint8_t>(2 * (set.streams + plane) + turn);
+}
+static uint8_t link_slot(const FluxSet& set) { return static_cast<uint8_t>(2 * (set.streams + set.planes)); }
+static uint8_t map_slot(const FluxSet& set, uint8_t map) { return static_cast<uint8_t>(link_slot(set) + 1 + map); }
+
+static const FluxSet& set_of(const grid::Rows& rows) { return *reinterpret_cast<const FluxSet*>(rows.table); }
+
+void keep_map_row(const grid::Rows& rows) {
+  const FluxSet& set = set_of(rows);
+  for (uint8_t i = 0; i < set.maps; ++i) map_row(set.map, i, rows.y, rows.n, grid::out16(rows, i));
+  if (set.styled)
+    style_row(set.map, rows.y, rows.n, grid::out16(rows, set.maps),
+              grid::out16(rows, static_cast<uint8_t>(set.maps + 1)));
+}
+
+// A pass, and the row it is at. turn: which of two slots holds what belongs to the links behind row y.
+struct Pulling {
+  const grid::Rows* rows;
+  const FluxSet* set;
+  Work work;
+  int32_t shift;  // cells from a link's one end to the other
+  uint16_t halo;
+  uint8_t way, stage, turn;
+};
+
+// Row k of the windows: every stream's pulls into its slot of turn `turn`.
+static void pull_at(const Pulling& p, uint8_t k, uint8_t turn) {
+  const FluxSet& set = *p.set;
+  const int32_t stride = static_cast<int32_t>(stride_of(p.stage)) * way_of(p.way).vy;
+  for (uint8_t i = 0; i < set.maps && !set.kept; ++i)
+    map_row(set.map, i, p.rows->y + (k - INT32_C(1)) * stride, p.work.n, slot(p.work, map_slot(set, i)));
+  for (uint8_t stream = 0; stream < set.streams; ++stream) {
+    const uint8_t map = set.stream[stream].map;
+    const i16* cells = set.kept ? grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + map) + k))
+                                : slot(p.work, map_slot(set, map));
+    i16* const out = slot(p.work, pull_slot(stream, turn));
+    pull_row(set.stream[stream], p.way, cells, out, p.work.n);
+    wrap(p.work, out, p.halo);
+  }
+}
+
+// The links between rows k and k + 1; from row y on (k = 1) also what comes of it.
+static void between(const Pulling& p, uint8_t k) {
+  const FluxSet& set = *p.set;
+  const uint8_t here = static_cast<uint8_t>(p.turn ^ (k ^ 1)), ahead = static_cast<uint8_t>(here ^ 1);
+  i16* const link = slot(p.work, link_slot(set));
+  pull_at(p, static_cast<uint8_t>(k + 1), ahead);
+  i16* const lack = slot(p.work, map_slot(set, 0));
+  const uint8_t style = static_cast<uint8_t>(3 * (set.planes + set.maps) + k);
+  if (set.styled)
+    link_row(grid::in16(*p.rows, style), grid::in16(*p.rows, static_cast<uint8_t>(style + 1)) + p.shift, lack,
+             p.work.n);
+  for (uint8_t stream = 0; stream < set.streams; ++stream) {
+    link_row(slot(p.work, pull_slot(stream, here)), slot(p.work, pull_slot(stream, ahead)) + p.shift, link, p.work.n);
+    for (uint8_t plane = 0; plane < set.planes; ++plane) {
+      const Spread& spread = set.spread[plane];
+      if (spread.stream != stream || !takes(spread, p.way, p.stage)) continue;
+      const Stage stage = stage_of(spread, p.way, p.stage);
+      const i16* const from = grid::in16(*p.rows, static_cast<uint8_t>(3 * plane + k));
+      const i16* const to = grid::in16(*p.rows, static_cast<uint8_t>(3 * plane + k + 1)) + p.shift;
+      const i16* const behind = slot(p.work, flux_slot(set, plane, here)) - p.shift;
+      i16* const flux = slot(p.work, flux_slot(set, plane, ahead));
+      i16* const out = grid::out16(*p.rows, plane);
+      if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
+      else if (k == 0) carry_row(link, from, to, flux, p.work.n, stage);
+      else move_row(link, from, to, behind, flux, out, p.work.n, stage);
+      if (set.styled && k == 1) add_row(from, flux, behind, out, p.work.n);
+      wrap(p.work, flux, p.halo);
+    }
+  }
+}
+
+void flux_row(const grid::Rows& rows) {
+  const FluxSet& set = set_of(rows);
+  const uint8_t way = static_cast<uint8_t>(rows.p[0]), stage = static_cast<uint8_t>(rows.p[1]);
+  const int32_t shift = static_cast<int32_t>(stride_of(stage)) * way_of(way).vx;
+  const Pulling p = {&rows,
+                     &set,
+                     work_of(rows, set),
+                     shift,
+                     static_cast<uint16_t>(shift < 0 ? -shift : shift),
+                     way,
+                     stage,
+                     static_cast<uint8_t>(rows.run & 1)};
+  if (rows.run == 0) {
+    pull_at(p, 0, 1);
+    between(p, 0);
+  }
+  between(p, 1);
+}
+
+// All stages of a plane along a row.
+static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* pull, const i16* lack, i16* row) {
+  const Spread& spread = set.spread[plane];
+  i16* const link = slot(w, link_slot(set));
+  i16* const copy = slot(w, flux_slot(set, 0, 0));
+  i16* const flux = slot(w, flux_slot(set, 0, 1));
+  for (uint8_t stage = 0; takes(spread, 0, stage); ++stage) {
+    const uint16_t stride = stride_of(stage);
+    grid::copy_row(Cell::int16, copy, row, w.n, stride);
+    link_row(pull, pull + stride, link, w.n);
+    if (set.styled) {
+      i16* const less = slot(w, flux_slot(set, 1, 0));
+      link_row(lack, lack + stride, less, w.n);
+      carry_less(link, less, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+    } else {
+      carry_row(link, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+    }
+    wrap(w, flux, stride);
+    add_row(copy, flux, flux - stride, row, w.n);
+  }
+}
+
+void flux_chain_row(const grid::Rows& rows) {
+  const FluxSet& set = set_of(rows);
+  const Work w = work_of(rows, set);
+  for (uint8_t i = 0; i < set.maps && !set.kept; ++i) map_row(set.map, i, rows.y, w.n, slot(w, map_slot(set, i)));
+  i16* const lack = slot(w, map_slot(set, 0));
+  if (set.styled)
+    grid::copy_row(Cell::int16, lack, grid::out16(rows, static_cast<uint8_t>(set.planes + set.maps)), w.n, w.halo);
+  for (uint8_t stream = 0; stream < set.streams; ++stream) {
+    i16* const pull = slot(w, pull_slot(stream, 0));
+    const uint8_t map = set.stream[stream].map;
+    pull_row(set.stream[stream], 0,
+             set.kept ? grid::out16(rows, static_cast<uint8_t>(set.planes + map)) : slot(w, map_slot(set, map)), pull,
+             w.n);
+    wrap(w, pull, w.halo);
+    for (uint8_t plane = 0; plane < set.planes; ++plane)
+      if (set.spread[plane].stream == stream) chain(set, w, plane, pull, lack, grid::out16(rows, plane));
+  }
+}
+
+}  // namespace dapple::stencil

@@ -1,0 +1,209 @@
+// Rows of direction maps. See maps.hpp for the formulas.
+// SPDX-License-Identifier: MIT
+#include "maps.hpp"
+
+namespace dapple::stencil {
+
+static int32_t folded(int32_t i, int32_t size) {
+  const int32_t rest = i % size;
+  return rest < 0 ? rest + size : rest;
+}
+
+// (2 at + 1) * factor / size, at < size <= 65535, factor <= 32768: the product is below 2^32. A factor of 32768 makes
+// the centre of a cell in 1/65536 of the period.
+static uint32_t centre(uint16_t at, uint16_t size, uint16_t factor) {
+  return (2u * static_cast<uint32_t>(at) + 1u) * factor / size;
+}
+
+// round(127 a / b), away from zero; 0 < b <= 2^24 / 3, |a| <= b: the products stay below 2^31.
+static int8_t share(int32_t a, int32_t b) {
+  const int32_t n = 127 * a + (a < 0 ? -(b / 2) : b / 2);
+  return to_q7(n / b);
+}
+
+// Of a doubled angle in 1/65536 turns, 127 long.
+static Doubled turned(uint16_t turn) {
+  return {to_q7((127 * static_cast<int32_t>(base::cosine(turn)) + 16384) >> 15),
+          to_q7((127 * static_cast<int32_t>(base::sine(turn)) + 16384) >> 15)};
+}
+
+// 2 theta from g: (gx^2 - gy^2, 2 gx gy) / (g^2 + core). g in Q10, squares in Q20.
+static Doubled radial(const DirectionMap& m, uint16_t u, int32_t gy) {
+  const int32_t gx = (base::sine(u) + 16) >> 5;
+  const int32_t den = gx * gx + gy * gy + m.core;
+  return {share(gx * gx - gy * gy, den), share(2 * gx * gy, den)};
+}
+
+// 2 theta = pi + 2 pi i / 3, i = 0..2, mixed. Weights Q15: three squarings of (1 + cos) / 2.
+static Doubled haunch(uint16_t phase) {
+  int32_t weight[3] = {};
+  for (uint8_t i = 0; i < 3; ++i) {
+    int32_t w = (32768 + static_cast<int32_t>(base::cosine(static_cast<uint16_t>(phase - 21845u * i)))) >> 1;
+    for (uint8_t k = 0; k < 3; ++k) w = (w * w + 16384) >> 15;
+    weight[i] = w;
+  }
+  // Q12; at least .1 long: where two of three meet.
+  const int32_t a = ((weight[1] + weight[2]) / 2 - weight[0]) >> 3;
+  const int32_t b = ((weight[2] - weight[1]) * 7094 >> 13) >> 3;  // sin 60 = .86597
+  return unit_of(a, b);
+}
+
+// Doubled angles in 1/65536 turns: 2 theta / 2 pi.
+static Doubled two_angle(uint8_t index, uint16_t u, uint16_t v) {
+  const auto sine = [](uint32_t turn) { return static_cast<int32_t>(base::sine(static_cast<uint16_t>(turn))); };
+  const uint32_t a = u, b = v;
+  if (index == 0)  // sin sin + .4 / pi sin
+    return turned(static_cast<uint16_t>(((sine(a) * sine(b)) >> 14) + ((sine(a + b) * 8344) >> 15)));
+  const int32_t waves = sine(2 * a - b) + sine(a + 2 * b + 0x4000u);  // .9 / pi of them
+  return turned(static_cast<uint16_t>(0x8000 + (((waves >> 1) * 18775) >> 14)));
+}
+
+// The discs that may hold cells of a row, the lowest first. Lengths in Q12 of a disc's pitch.
+struct Discs {
+  int16_t dy[8];
+  bool odd[8];
+  uint8_t count;
+};
+constexpr int32_t kDisc = 2458;  // .6
+
+static Discs discs_at(const DirectionMap& m, uint16_t at) {
+  Discs discs{};
+  const int32_t high = base::max(1, static_cast<int32_t>(static_cast<int64_t>(m.height) * m.across * 4096 / m.width));
+  const int32_t y = static_cast<int32_t>((2 * static_cast<int64_t>(at) + 1) * m.across * 2048 / m.width);
+  int32_t k = static_cast<int32_t>(static_cast<int64_t>(y + kDisc) * m.down / high) + 1;
+  for (; discs.count < 8; --k) {
+    const int32_t dy = y - static_cast<int32_t>(static_cast<int64_t>(k) * high / m.down);
+    if (dy > kDisc) break;
+    if (dy < -kDisc) continue;
+    discs.dy[discs.count] = static_cast<int16_t>(dy);
+    discs.odd[discs.count++] = (k & 1) != 0;
+  }
+  return discs;
+}
+
+static Doubled scallop(const DirectionMap& m, const Discs& discs, uint16_t at) {
+  const int32_t x = static_cast<int32_t>(centre(at, m.width, static_cast<uint16_t>(m.across * 2048u)));
+  for (uint8_t i = 0; i < discs.count; ++i) {
+    const int32_t dx = ((x + (discs.odd[i] ? 0 : 2048)) & 4095) - 2048, dy = discs.dy[i];
+    const int32_t square = dx * dx + dy * dy;
+    if (square <= kDisc * kDisc && square > 0) return {share(dy * dy - dx * dx, square), share(-2 * dx * dy, square)};
+  }
+  return {127, 0};
+}
+
+// The four cells of an image around a place.
+struct Corners {
+  int32_t c[4], s[4], length[4];  // length in Q4, at most 127
+};
+
+static void load_corner(const DirectionImage& image, int32_t i, int32_t j, uint8_t k, Corners& q) {
+  const int8_t* pair = image.pairs + 2 * (static_cast<size_t>(folded(j, image.height)) * image.width +
+                                          static_cast<size_t>(folded(i, image.width)));
+  q.c[k] = pair[0];
+  q.s[k] = pair[1];
+  const uint32_t square = static_cast<uint32_t>(q.c[k] * q.c[k] + q.s[k] * q.s[k]);
+  q.length[k] = base::min(base::square_root(square << 8), 127 * 16);
+}
+
+// Weights Q8 a side, sums Q16. The vector's mean in Q8, at most 46341 long, gets the mean length.
+static Doubled blended(const Corners& q, int32_t fx, int32_t fy) {
+  const auto mean = [&](const int32_t* v) {
+    return (v[0] * (256 - fx) + v[1] * fx) * (256 - fy) + (v[2] * (256 - fx) + v[3] * fx) * fy;
+  };
+  const int32_t c = mean(q.c) >> 8, s = mean(q.s) >> 8, length = mean(q.length) >> 16;
+  const int32_t root = base::square_root(static_cast<uint32_t>(c * c) + static_cast<uint32_t>(s * s));
+  if (root == 0) return {0, 0};
+  return {to_q7((c * length / root + 8) >> 4), to_q7((s * length / root + 8) >> 4)};
+}
+
+// Image cell centres lie at (i + 1/2) / width of the period.
+static void image_row(const DirectionMap& m, uint16_t row, uint16_t n, int16_t* out) {
+  const DirectionImage& image = images_of(m).direction;
+  const int32_t y = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
+  uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
+  Corners q{};
+  int32_t held = INT32_MIN;
+  for (uint16_t x = 0; x < n; ++x) {
+    const int32_t place = static_cast<int32_t>(centre(at, m.width, static_cast<uint16_t>(128u * image.width))) - 128;
+    const int32_t i = place >> 8;
+    for (uint8_t k = 0; k < 4 && i != held; ++k) load_corner(image, i + (k & 1), (y >> 8) + (k >> 1), k, q);
+    held = i;
+    out[x] = packed(blended(q, place & 255, y & 255));
+    at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
+static void swirl_row(const DirectionField& field, int32_t y, uint16_t n, int16_t* out) {
+  constexpr uint8_t kAtOnce = 32;
+  int8_t c2[kAtOnce], s2[kAtOnce];
+  for (uint16_t x = 0; x < n; x = static_cast<uint16_t>(x + kAtOnce)) {
+    const uint8_t count = static_cast<uint8_t>(base::min(kAtOnce, n - x));
+    directions(field, x, y, count, c2, s2);
+    for (uint8_t k = 0; k < count; ++k) out[x + k] = packed({c2[k], s2[k]});
+  }
+}
+
+void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_t* out) {
+  y = folded(y, m.rows);
+  if (m.kind == DirectionMap::swirl) return swirl_row(m.field, y, n, out);
+  const uint16_t row = static_cast<uint16_t>(folded(m.y + y, m.height));
+  if (m.kind == DirectionMap::image) return image_row(m, row, n, out);
+  const uint16_t v = static_cast<uint16_t>(centre(row, m.height, 32768u));
+  const int32_t gy = (base::sine(v) + 16) >> 5;
+  const uint16_t bent = static_cast<uint16_t>((static_cast<int32_t>(base::sine(v)) * 6554) >> 15);  // .1 sin 2 pi v
+  const Discs discs = m.kind == DirectionMap::scallop ? discs_at(m, row) : Discs{};
+  uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
+  for (uint16_t x = 0; x < n; ++x) {
+    const uint16_t u = static_cast<uint16_t>(centre(at, m.width, 32768u));
+    Doubled d = {127, 0};
+    switch (m.kind) {
+      case DirectionMap::radial:
+        d = radial(m, u, gy);
+        break;
+      case DirectionMap::scallop:
+        d = scallop(m, discs, at);
+        break;
+      case DirectionMap::haunch:
+        d = haunch(static_cast<uint16_t>(u + bent));
+        break;
+      case DirectionMap::two_angle:
+        d = two_angle(index, u, v);
+        break;
+      default:
+        break;
+    }
+    out[x] = packed(d);
+    at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
+// A channel between four cells: bytes to Q8.
+static int32_t between(const StyleImage& image, int32_t px, int32_t py, uint8_t channel) {
+  const auto cell = [&](int32_t i, int32_t j) {
+    return static_cast<int32_t>(image.cells[3 * (static_cast<size_t>(folded(j, image.height)) * image.width +
+                                                 static_cast<size_t>(folded(i, image.width))) +
+                                            channel]);
+  };
+  const int32_t i = px >> 8, j = py >> 8, fx = px & 255, fy = py & 255;
+  const int32_t above = cell(i, j) * (256 - fx) + cell(i + 1, j) * fx,
+                below = cell(i, j + 1) * (256 - fx) + cell(i + 1, j + 1) * fx;
+  return (above * (256 - fy) + below * fy) >> 8;
+}
+
+void style_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k) {
+  const StyleImage& image = images_of(m).style;
+  const uint16_t row = static_cast<uint16_t>(folded(m.y + folded(y, m.rows), m.height));
+  const int32_t py = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
+  uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
+  for (uint16_t x = 0; x < n; ++x) {
+    const int32_t px = static_cast<int32_t>(centre(at, m.width, static_cast<uint16_t>(128u * image.width))) - 128;
+    const int32_t share =
+        base::max(between(image, px, py, 0), INT32_C(64) * 256) * 32767 / INT32_C(65280);  // Q15; 65280 is 255 in Q8
+    lack[x] = static_cast<int16_t>(32766 - ((share * share) >> 15));
+    const int32_t rho = ((between(image, px, py, 1) + 128) >> 8) - 128, k = (between(image, px, py, 2) + 128) >> 8;
+    rho_k[x] = static_cast<int16_t>((static_cast<uint16_t>(rho) << 8) | static_cast<uint16_t>(k));
+    at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
+}  // namespace dapple::stencil

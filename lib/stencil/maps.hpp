@@ -1,0 +1,81 @@
+// Direction maps [Witkin & Kass 1991, 3.1]: the doubled direction (cos 2 theta, sin 2 theta) of every cell in Q7, a
+// vector of length 127; a shorter one is a place that is more isotropic. All but the swirls have the tile as their
+// period; on the endless plane that is a square of kPlanePeriod cells. SPDX-License-Identifier: MIT
+#pragma once
+#include "steer.hpp"
+
+namespace dapple {
+
+// Directions from the caller, stretched over the tile: row by row pairs (127 cos 2 theta, 127 sin 2 theta), theta from
+// x towards y (down) along the stripes. Shorter vectors are more isotropic, longer ones count as 127. Cells between the
+// image's are interpolated, direction and length apart. Image and struct must outlive the texture.
+struct DirectionImage {
+  const int8_t* pairs;
+  uint16_t width, height;  // 1..kMostImage
+};
+constexpr int32_t kMostImage = 256;
+
+// Styles from the caller, stretched over the tile and interpolated: row by row three bytes, as shares of the recipe's
+// numbers.
+//   wavelength  255: the recipe's; 64 and less: a quarter
+//   rho         128: the recipe's; .001 k/b for every unit more or less
+//   k           255: the recipe's; 0: none
+struct StyleImage {
+  const uint8_t* cells;
+  uint16_t width, height;  // 1..kMostImage
+};
+
+// What a stage of the mapped family finds in Stage::stored: directions for map=image, styles for solver=styled.
+struct PlaceMaps {
+  DirectionImage direction;
+  StyleImage style;
+};
+
+}  // namespace dapple
+
+namespace dapple::stencil {
+
+constexpr uint16_t kPlanePeriod = 256;  // cells of the finest grid
+constexpr uint8_t kMostMaps = 2;
+
+// The numbers of a map, from which a row is made.
+struct DirectionMap {
+  enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, image } kind;
+  uint16_t width, height;                    // cells of the period
+  uint16_t rows;                             // of the grid
+  int32_t x, y;                              // the world's cell at (0, 0) of the grid
+  int32_t core;                              // radial: (r0 / 2)^2, Q20
+  uint16_t across, down;                     // scallop: discs, rows of them (even)
+  DirectionField field;                      // swirl
+  uint8_t images[sizeof(const PlaceMaps*)];  // where the caller's are; tables are aligned to four bytes only
+};
+
+inline void set_images(DirectionMap& map, const void* images) { base::copy_bytes(map.images, &images, sizeof images); }
+inline const PlaceMaps& images_of(const DirectionMap& map) {
+  const void* images = nullptr;
+  base::copy_bytes(&images, map.images, sizeof images);
+  return *static_cast<const PlaceMaps*>(images);
+}
+
+constexpr uint8_t maps_of(DirectionMap::Kind kind) { return kind == DirectionMap::two_angle ? kMostMaps : 1; }
+
+// A cell of a map in one int16: cos in the low byte, sin in the high one.
+constexpr int16_t packed(Doubled d) {
+  return static_cast<int16_t>((static_cast<uint16_t>(d.s2) << 8) | static_cast<uint8_t>(d.c2));
+}
+
+// Row y (any, taken modulo the grid) of map `index`: n cells.
+//   radial     g = (sin 2 pi (u - 1/2), sin 2 pi (v - 1/2)), along g, length g^2 / (g^2 + (r0/2)^2): sources at centre
+//   and corner scallop    discs of .6 widths, the lower ones on top, along their circles haunch     three directions 60
+//   degrees apart, weights ((1 + cos) / 2)^8 of u + .1 sin 2 pi v less their third: chevrons two_angle  theta1 = pi sin
+//   2 pi u sin 2 pi v + .4 sin 2 pi (u + v),
+//              theta2 = pi/2 + .9 sin 2 pi (2 u - v) + .9 cos 2 pi (u + 2 v)
+// u, v are the cell's centre in periods.
+void map_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
+
+// The same of the styles: what the square of the wavelength's share lacks of 1, Q15 (0 for a share of 255, 30720 for
+// 64); rho's steps from -128 in the high byte, k's share in the low one.
+constexpr uint8_t kStyleRows = 2;
+void style_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k);
+
+}  // namespace dapple::stencil

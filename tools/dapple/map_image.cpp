@@ -1,0 +1,170 @@
+// Directions from pictures. Integers throughout, so that a picture grows the same texture everywhere.
+// SPDX-License-Identifier: MIT
+#include "map_image.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/math.hpp"
+#include "errors.hpp"
+#include "input.hpp"
+
+namespace cli {
+
+namespace {
+
+constexpr uint32_t kLargestSide = 8192;
+constexpr uint32_t kBlocks = 64;  // a side: of the grid on which structure is measured
+
+struct Pixmap {
+  uint32_t width, height, channels;
+  std::string bytes;
+
+  // Any place: a tile's picture repeats.
+  uint8_t at(int64_t x, int64_t y, uint32_t channel) const {
+    const uint64_t column = static_cast<uint64_t>((x % width + width) % width),
+                   row = static_cast<uint64_t>((y % height + height) % height);
+    return static_cast<uint8_t>(bytes[(row * width + column) * channels + channel]);
+  }
+  int32_t grey(int64_t x, int64_t y) const {
+    return channels == 1 ? at(x, y, 0) : (77 * at(x, y, 0) + 150 * at(x, y, 1) + 29 * at(x, y, 2)) >> 8;
+  }
+};
+
+[[noreturn]] void damaged(const std::string& path, const std::string& why) {
+  fail("picture " + shown(path) + ": " + why);
+}
+
+// A decimal number of the header, behind blanks and remarks.
+uint32_t header_number(const std::string& text, size_t& at, const std::string& path) {
+  while (at < text.size() && (std::isspace(static_cast<unsigned char>(text[at])) != 0 || text[at] == '#'))
+    at = text[at] == '#' ? std::min(text.find('\n', at), text.size()) : at + 1;
+  uint32_t value = 0;
+  const size_t begin = at;
+  for (; at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0; ++at) {
+    value = value * 10 + static_cast<uint32_t>(text[at] - '0');
+    if (value > 1000000) break;
+  }
+  if (at == begin) damaged(path, "its header is damaged");
+  return value;
+}
+
+Pixmap read_pixmap(const std::string& path) {
+  std::string text = read_file(path);
+  const bool grey = text.compare(0, 2, "P5") == 0;
+  if (!grey && text.compare(0, 2, "P6") != 0) damaged(path, "is not a PGM or PPM picture (P5 or P6)");
+  size_t at = 2;
+  Pixmap picture{};
+  picture.width = header_number(text, at, path);
+  picture.height = header_number(text, at, path);
+  const uint32_t most = header_number(text, at, path);
+  picture.channels = grey ? 1 : 3;
+  if (picture.width < 1 || picture.width > kLargestSide || picture.height < 1 || picture.height > kLargestSide)
+    damaged(path, "has " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                      " pixels; sides are 1 to " + std::to_string(kLargestSide));
+  if (most != 255) damaged(path, "has values up to " + std::to_string(most) + "; 255 is what is read");
+  const size_t wanted = size_t{picture.width} * picture.height * picture.channels;
+  picture.bytes = text.substr(std::min(text.size(), at + 1));
+  if (picture.bytes.size() < wanted)
+    damaged(path, "is cut short: " + std::to_string(picture.bytes.size()) + " bytes of pixels, not " +
+                      std::to_string(wanted));
+  return picture;
+}
+
+// The vector (c, s) with a length of 127 share / 256.
+void put(std::vector<int8_t>& pairs, int64_t c, int64_t s, int64_t share) {
+  while (c > (INT64_C(1) << 24) || c < -(INT64_C(1) << 24) || s > (INT64_C(1) << 24) || s < -(INT64_C(1) << 24))
+    c /= 2, s /= 2;
+  const int64_t root = dapple::base::square_root64(static_cast<uint64_t>(c * c + s * s) << 12);  // Q6
+  const auto part = [&](int64_t v) {
+    return dapple::stencil::to_q7(root == 0 ? 0 : static_cast<int32_t>(v * 127 * share / 4 / root));
+  };
+  pairs.push_back(part(c));
+  pairs.push_back(part(s));
+}
+
+// Sums of a block: gx^2 - gy^2, 2 gx gy, gx^2 + gy^2 of the grey's central differences.
+struct Tensor {
+  int64_t c, s, all;
+};
+Tensor block_tensor(const Pixmap& p, uint32_t x0, uint32_t x1, uint32_t y0, uint32_t y1) {
+  Tensor t{};
+  for (int64_t y = y0; y < y1; ++y)
+    for (int64_t x = x0; x < x1; ++x) {
+      const int64_t gx = p.grey(x + 1, y) - p.grey(x - 1, y), gy = p.grey(x, y + 1) - p.grey(x, y - 1);
+      t.c += gx * gx - gy * gy;
+      t.s += 2 * gx * gy;
+      t.all += gx * gx + gy * gy;
+    }
+  return t;
+}
+
+// Every cell from the 3 x 3 blocks around it; stripes lie across the gradient. Where less than half of the gradient
+// agrees the vector is shorter; where there is none it is 0.
+void from_structure(const Pixmap& p, uint32_t wide, uint32_t high, std::vector<int8_t>& pairs) {
+  std::vector<Tensor> blocks;
+  for (uint32_t j = 0; j < high; ++j)
+    for (uint32_t i = 0; i < wide; ++i)
+      blocks.push_back(block_tensor(p, i * p.width / wide, (i + 1) * p.width / wide, j * p.height / high,
+                                    (j + 1) * p.height / high));
+  for (uint32_t j = 0; j < high; ++j)
+    for (uint32_t i = 0; i < wide; ++i) {
+      Tensor sum{};
+      for (uint32_t k = 0; k < 9; ++k) {
+        const Tensor& t = blocks[(j + high - 1 + k / 3) % high * wide + (i + wide - 1 + k % 3) % wide];
+        const int64_t weight = (k % 3 == 1 ? 2 : 1) * (k / 3 == 1 ? 2 : 1);
+        sum.c += weight * t.c;
+        sum.s += weight * t.s;
+        sum.all += weight * t.all;
+      }
+      const int64_t agreed = std::max(std::max(sum.c, -sum.c), std::max(sum.s, -sum.s));
+      put(pairs, -sum.c, -sum.s, sum.all == 0 ? 0 : std::min<int64_t>(256, 512 * agreed / sum.all));
+    }
+}
+
+// The mean vector of every cell's pixels.
+void from_values(const Pixmap& p, uint32_t wide, uint32_t high, std::vector<int8_t>& pairs) {
+  for (uint32_t j = 0; j < high; ++j)
+    for (uint32_t i = 0; i < wide; ++i) {
+      int64_t c = 0, s = 0, count = 0;
+      for (int64_t y = j * p.height / high; y < (j + 1) * p.height / high; ++y)
+        for (int64_t x = i * p.width / wide; x < (i + 1) * p.width / wide; ++x, ++count) {
+          const uint16_t turn = static_cast<uint16_t>(p.at(x, y, 0) << 8);
+          c += p.channels == 1 ? dapple::base::cosine(turn) : (p.at(x, y, 0) - 128) * 258;
+          s += p.channels == 1 ? dapple::base::sine(turn) : (p.at(x, y, 1) - 128) * 258;
+        }
+      pairs.push_back(dapple::stencil::to_q7(static_cast<int32_t>(c * 127 / (count * 32767))));
+      pairs.push_back(dapple::stencil::to_q7(static_cast<int32_t>(s * 127 / (count * 32767))));
+    }
+}
+
+}  // namespace
+
+void read_map(const std::string& path, MapAs as, PictureMaps& to) {
+  const Pixmap picture = read_pixmap(path);
+  const uint32_t most = as == MapAs::structure ? kBlocks : static_cast<uint32_t>(dapple::kMostImage);
+  const uint32_t wide = std::min(picture.width, most), high = std::min(picture.height, most);
+  to.pairs.clear();
+  if (as == MapAs::structure) from_structure(picture, wide, high, to.pairs);
+  else from_values(picture, wide, high, to.pairs);
+  to.maps.direction = {to.pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
+}
+
+void read_styles(const std::string& path, PictureMaps& to) {
+  const Pixmap picture = read_pixmap(path);
+  const uint32_t most = static_cast<uint32_t>(dapple::kMostImage);
+  const uint32_t wide = std::min(picture.width, most), high = std::min(picture.height, most);
+  to.styles.clear();
+  for (uint32_t j = 0; j < high; ++j)
+    for (uint32_t i = 0; i < wide; ++i)
+      for (uint32_t channel = 0; channel < 3; ++channel) {
+        uint64_t sum = 0, count = 0;
+        for (uint32_t y = j * picture.height / high; y < (j + 1) * picture.height / high; ++y)
+          for (uint32_t x = i * picture.width / wide; x < (i + 1) * picture.width / wide; ++x, ++count)
+            sum += picture.channels == 3 || channel == 0 ? picture.at(x, y, channel) : channel == 1 ? 128u : 255u;
+        to.styles.push_back(static_cast<uint8_t>((sum + count / 2) / count));
+      }
+  to.maps.style = {to.styles.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
+}
+
+}  // namespace cli
