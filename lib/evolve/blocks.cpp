@@ -15,10 +15,7 @@ static void end_values(const Context& context, Sweep& sweep) { context.model->va
 bool given_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   const bool first = cursor.sweep == 0;
   const bool some = passes_next(context, cursor, sweep, threshold::given_row, grid::kOneVariance);
-  if (first) {
-    end_values(context, sweep);
-    sweep.p[threshold::kLive] = context.clock.step >= kSettleSteps;
-  }
+  if (first) end_values(context, sweep);
   return some;
 }
 
@@ -139,7 +136,7 @@ static void open_block(Blocks& b, Run& run) {
   b.doing = b.layer == 0 ? Doing::solving : Doing::gathering;
   give(b, domain, ground);
   if (b.layer == 0) open_run(b, run, {&b.plan.start, b.plan.chunk, b.plan.stages, false}, domain, ground);
-  else open_run(b, run, {&b.plan.blank, &b.plan.again, 1, false}, domain, ground);
+  else open_run(b, run, {&b.plan.blank, b.plan.again, 2, false}, domain, ground);
 }
 
 static void open_window(Blocks& b, Run& run) {
@@ -205,7 +202,7 @@ uint64_t begin_blocks(const Growth& growth, const Setup& setup, uint16_t kept, b
   b.advance = advance_blocks;
   b.plan = block_plan(growth);
   b.setup = setup;
-  b.plan.again.stored = b.plan.shade.stored = &b.given;
+  b.plan.again[0].stored = b.plan.again[1].stored = b.plan.shade.stored = &b.given;
   b.cover = cover_of(b.plan.grid, box_of(setup.ground));
   b.across = static_cast<uint16_t>(most_chunks(b.plan.grid, static_cast<uint32_t>(setup.ground.width) + kept));
   b.down = static_cast<uint16_t>(most_chunks(b.plan.grid, static_cast<uint32_t>(setup.ground.height) + kept));
@@ -215,7 +212,7 @@ uint64_t begin_blocks(const Growth& growth, const Setup& setup, uint16_t kept, b
   b.bits = b.records + records * b.record_bytes;
   for (size_t i = 0; !again && i < records; ++i) *reinterpret_cast<Decided*>(b.records + i * b.record_bytes) = {0, 0, 0};
   claim(b);
-  uint64_t rows = shade_rows(b.plan, setup.ground);
+  uint64_t rows = shade_rows(b.plan, setup.ground.height);
   for (uint8_t layer = 0; layer < kLayers; ++layer) {
     const uint64_t each = block_rows(b.plan, layer);
     b.layer = layer;

@@ -6,8 +6,8 @@
 //   layer 2   level edges        margin <= x < side - margin,           |y| < half
 //   layer 3   corners            |x|, |y| < corner
 //
-// A block of layers 1 to 3 is solved again in a margin: it reads the bits of the layers below, lets the concentrations settle
-// on them, then lets its own reaction live. It reads lower layers only, and blocks of a layer and their margins keep clear of
+// A block of layers 1 to 3 is solved again in a margin: it reads the bits of the layers below, has the concentrations settle
+// on them, then lets its own reaction live while that of the margin stays. It reads lower layers only, and blocks of a layer and their margins keep clear of
 // each other: whatever is asked for first, a block is the same. A cell's bit is that of the highest layer that covers it.
 // Only bits pass between blocks: concentrations are a short filter of them, so there is no crease. Shading is a filter of
 // finite support, so that the field is exact too.
@@ -20,7 +20,6 @@
 namespace dapple::evolve {
 
 constexpr uint8_t kLayers = 4;
-constexpr uint32_t kSettleSteps = 12;         // of a block solved again, before its reaction lives: e^-6 of before is left
 constexpr uint32_t kFineSteps = 6;            // the last ones of a chunk, on the finest grid
 constexpr int32_t kCoarseLength = 16000000;   // half the resolution grows noise into stripes this wide as well, 1/kMicro cells
 constexpr uint16_t kAlike = 8;                // a chunk's ground begins at a multiple of this: any coarse grid's
@@ -112,8 +111,8 @@ constexpr uint32_t most_chunks(const BlockGrid& g, uint32_t length) {
 
 // --- what runs in a block ------------------------------------------------------------------------------------------
 
-// given_bits: macro steps with the reaction given as bits, then, from step kSettleSteps on, live within a rectangle.
-// shaded_bits: the settled concentrations as a filter of the bits, in three long steps from the oldest on.
+// given_bits: macro steps with the reaction given as bits but for a rectangle, where it lives.
+// shaded_bits: what concentrations settle to on given bits, as a filter of them, in three long steps from the oldest on.
 //   C = sum over t >= 1 of k (1 - e^-1/2) e^-(t-1)/2 Gaussian(t V) * R,  with t = 1; 2 and 3 as 2.3775; the rest as 5.5415
 // 1.6 % off for the activator at the pattern's wavelength, .5 % for the difference. Stage::stored: a threshold::Given.
 constexpr uint8_t kShadeSteps = 3;
@@ -158,7 +157,8 @@ struct Growth {
 struct BlockPlan {
   BlockGrid grid;
   Stage chunk[kMaxStages];  // the recipe's own
-  Stage again, shade;       // of layers 1 to 3; of the window
+  Stage again[2];           // of layers 1 to 3: settle on the bits, then live
+  Stage shade;              // of the window
   Start start, blank;
   uint8_t stages;
 };
@@ -194,12 +194,14 @@ constexpr BlockPlan block_plan(const Growth& growth) {
     plan.chunk[1].refine = refine_row;
     plan.stages = 2;
   }
-  plan.again = plan.shade = last;
-  plan.again.entry = plan.shade.entry = Entry::start;
-  plan.again.solver = &given_bits;
-  plan.again.steps = kSettleSteps + (steps * (start.kind == Start::seeds ? 3 : 6) + 9) / 10;
+  plan.shade = plan.again[1] = last;
+  plan.shade.entry = Entry::start;
   plan.shade.solver = &shaded_bits;
   plan.shade.steps = kShadeSteps;
+  plan.again[0] = plan.shade;
+  plan.again[1].entry = Entry::carry;
+  plan.again[1].solver = &given_bits;
+  plan.again[1].steps = (steps * (start.kind == Start::seeds ? 3 : 6) + 9) / 10;
   plan.start = plan.blank = start;
   plan.blank.row = blank_row;
   return plan;
@@ -269,28 +271,29 @@ constexpr void add_blocks(Parts& parts, const BlockPlan& plan, const Ground& win
     add_stage(parts, stage, *stage.model, *stage.solver, ground, bands);
   };
   for (uint8_t i = 0; i < plan.stages; ++i) add(plan.chunk[i], ground_of(grown(plan.grid, 0, 0, 0)));
-  for (uint8_t layer = 1; layer < kLayers; ++layer) add(plan.again, ground_of(grown(plan.grid, layer, 0, 0)));
+  for (uint8_t layer = 1; layer < kLayers; ++layer)
+    for (const Stage& stage : plan.again) add(stage, ground_of(grown(plan.grid, layer, 0, 0)));
   add(plan.shade, window);
   parts.fits = parts.fits && blocks_bytes(plan.grid, window, kept, parts.blocks);
 }
 
-// Rows of work of a block: gathered, solved, kept; and those of the window once all is decided.
-constexpr uint64_t block_rows(const BlockPlan& plan, uint8_t layer) {
-  const Ground ground = ground_of(grown(plan.grid, layer, 0, 0));
-  uint64_t rows = length_of(covered(plan.grid, layer, 0, 0).y);
-  uint32_t spent = 0;
-  const auto add = [&](const Stage& s) {
-    rows += work_rows(s, *s.model, s.solver->reach(*s.model, s.number, s.level), ground, false, spent);
-  };
-  for (uint8_t i = 0; layer == 0 && i < plan.stages; ++i) add(plan.chunk[i]);
-  if (layer == 0) return rows;
-  add(plan.again);
-  return rows + ground.height;
-}
-constexpr uint64_t shade_rows(const BlockPlan& plan, const Ground& window) {
+// Rows of work of a window once all is decided: gathered and shaded.
+constexpr uint64_t shade_rows(const BlockPlan& plan, uint16_t height) {
   const Stage& s = plan.shade;
   const Reach reach = shading_reach(*s.model, s.number, 0);
-  return static_cast<uint64_t>(window.height) * (1u + s.model->planes(s.number) + reach.sweeps);
+  return static_cast<uint64_t>(height) * (1u + s.model->planes(s.number) + reach.sweeps);
+}
+// Of a block: a chunk is grown, others are shaded and solved; then it is kept.
+constexpr uint64_t block_rows(const BlockPlan& plan, uint8_t layer) {
+  const Ground ground = ground_of(grown(plan.grid, layer, 0, 0));
+  const bool chunk = layer == 0;
+  uint64_t rows = length_of(covered(plan.grid, layer, 0, 0).y) + (chunk ? 0 : shade_rows(plan, ground.height));
+  uint32_t spent = 0;
+  for (uint8_t i = chunk ? 0 : 1; i < (chunk ? plan.stages : 2); ++i) {
+    const Stage& s = chunk ? plan.chunk[i] : plan.again[i];
+    rows += work_rows(s, *s.model, s.solver->reach(*s.model, s.number, s.level), ground, false, spent);
+  }
+  return rows;
 }
 
 // What a recipe asks of every window; what it needs on one.
@@ -312,7 +315,7 @@ constexpr BlockNeed block_need(const Growth& growth, const Ground& window, uint8
   const BlockPlan plan = block_plan(growth);
   const Reach reach = shading_reach(*plan.shade.model, plan.shade.number, 0);
   const Cover cover = cover_of(plan.grid, box_of(window));
-  BlockNeed need{{0, 0, 0, sizeof(Band) * bands, true}, reach.stride, reach.sweeps, shade_rows(plan, window)};
+  BlockNeed need{{0, 0, 0, sizeof(Band) * bands, true}, reach.stride, reach.sweeps, shade_rows(plan, window.height)};
   add_blocks(need.parts, plan, window, bands, kept);
   for (uint8_t layer = 0; layer < kLayers; ++layer) need.rows += count_of(cover, layer) * block_rows(plan, layer);
   return need;

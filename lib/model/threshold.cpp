@@ -103,7 +103,7 @@ void given_row(const grid::Rows& rows) {
   const i16 amount = static_cast<i16>(p[3]);
   i16* most = reinterpret_cast<i16*>(rows.scratch);
   amounts(given.bits + static_cast<size_t>(rows.y) * given.row_bytes, most, rows.n, amount);
-  if (p[kLive] != 0 && rows.y >= given.top && rows.y < given.bottom) {
+  if (rows.y >= given.top && rows.y < given.bottom) {
     const uint16_t width = static_cast<uint16_t>(given.right - given.left);
     const i16* plane[grid::kMaxPlanes];
     for (uint8_t i = 0; i < rows.planes; ++i) plane[i] = out16(rows, i) + given.left;

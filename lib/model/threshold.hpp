@@ -95,16 +95,14 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
   p[4] = to_unit(strength);
 }
 
-// The reaction given as bits instead, on a whole grid: row y at bits + y row_bytes. Within the rectangle it may be live.
+// The reaction given as bits instead, on a whole grid: row y at bits + y row_bytes; but for a rectangle, where it lives.
 struct Given {
   const uint8_t* bits;
   uint16_t row_bytes, left, right, top, bottom;
 };
 
-// impulse_row with the reaction given. rows.table holds the address of a Given; p[kLive]: the rectangle is live.
-// given_row: a macro step; add_row: C' = C + (bit ? p[3] : 0), which is all of a step that forgets nothing. C <= 16000 as
-// long as what is added sums up to no more.
-constexpr uint8_t kLive = 7;
+// rows.table holds the address of a Given. given_row: impulse_row with the reaction given; add_row: C' = C + (bit ? p[3] : 0),
+// the rectangle too; C <= 16000 as long as what is added sums up to no more.
 void given_row(const grid::Rows& rows);
 void add_row(const grid::Rows& rows);
 
