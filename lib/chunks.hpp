@@ -11,7 +11,8 @@
 //   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null: missing
 //
 // Chunk (cx, cy) holds the cells (cx side, cy side) .. (cx side + side - 1, cy side + side - 1): the bytes of a window
-// grown there, whatever was looked at before, in whatever slices.
+// grown there, whatever was looked at before, in whatever slices. Where windows are in blocks, the memory at work also keeps
+// what is decided for as much of the plane as all slots together show: a bit and a third a cell.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "dapple.hpp"

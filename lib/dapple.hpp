@@ -7,7 +7,8 @@
 //   while (tile.step(8) == dapple::more) watchdog();
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
-// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height).
+// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height). Recipes that run too long for
+// a halo have no plane, but for the threshold family, which decides it in blocks.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.

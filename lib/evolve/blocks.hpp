@@ -37,12 +37,12 @@ struct BlockGrid {
   uint16_t around;  // chunks are grown with this much more on every side
 };
 
-// About eight lengths of the pattern a side, in whole 32 cells; margins of 5/4, 3/4, 3/2 and one of it.
+// Eight lengths of the pattern a side, rounded up to whole 32 cells; margins of 5/4, 3/4, 3/2 and one of it.
 constexpr BlockGrid block_grid(int32_t length) {
   const auto quarters = [&](int64_t count) {
     return static_cast<uint16_t>((count * length + 4 * base::kMicro - 1) / (4 * base::kMicro));
   };
-  const int64_t sides = base::divide_round(length, 4 * base::kMicro);
+  const int64_t sides = (static_cast<int64_t>(length) + 4 * base::kMicro - 1) / (4 * base::kMicro);
   return {static_cast<uint16_t>(32 * (sides < 2 ? 2 : sides)), quarters(5), quarters(3), quarters(6),
           static_cast<uint16_t>((quarters(4) + kAlike - 1) / kAlike * kAlike)};
 }
@@ -163,12 +163,20 @@ struct BlockPlan {
   uint8_t stages;
 };
 
-// The longest length of the pattern: a wavelength, or the side of the square that a seed has for itself.
+// A wavelength; longer where the activator reaches more than 4/3 times as far along the stripes as the inhibitor across them.
+constexpr int32_t stripe_length(const Stage& stage) {
+  const int32_t* const number = stage.number;
+  const int32_t length = stage.model->wavelength(number);
+  if (number[threshold::diffusion] == threshold::isotropic) return length;
+  const int64_t along = static_cast<int64_t>(length) * 3 * number[threshold::stretch];
+  return base::max(length, static_cast<int32_t>(along / (4 * static_cast<int64_t>(number[threshold::ratio]))));
+}
+
+// The longest length of the pattern: that of the stripes, or the side of the square that a seed has for itself.
 constexpr int32_t pattern_length(const Growth& growth) {
   const Start& start = *growth.start;
   int32_t length = 0;
-  for (uint8_t i = 0; i < growth.stages; ++i)
-    length = base::max(length, growth.stage[i].model->wavelength(growth.stage[i].number));
+  for (uint8_t i = 0; i < growth.stages; ++i) length = base::max(length, stripe_length(growth.stage[i]));
   if (start.kind != Start::seeds) return length;
   const uint64_t square = static_cast<uint64_t>(start.pitch) * static_cast<uint64_t>(start.pitch) / base::kMicro;
   return base::max(length, static_cast<int32_t>(base::square_root64(square * static_cast<uint64_t>(start.aspect))));
