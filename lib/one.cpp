@@ -19,6 +19,7 @@
 #include "model/threshold.cpp"
 #include "paint/pack.cpp"
 #include "paint/shade.cpp"
+#include "evolve/blocks.cpp"
 #include "evolve/convolution.cpp"
 #include "evolve/corners.cpp"
 #include "evolve/euler.cpp"
