@@ -7,7 +7,8 @@
 //   while (tile.step(8) == dapple::more) watchdog();
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
-// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height).
+// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height). Recipes that run too long for
+// a halo have no plane, but for the threshold family, which decides it in blocks.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
@@ -29,6 +30,11 @@ constexpr int32_t kVersion = 100;
 struct Options {
   uint8_t bands = 1;                            // 1..64 bands of rows that could run at once; each has its own scratch
   const grid::KernelSwap* kernels = nullptr;    // faster row kernels with the same bytes; null: the portable ones
+  // Windows in blocks: cells beside the window, along either direction, for which there is room to keep what is decided; and
+  // whether the memory is as a texture begun with the same arguments, but for the place, has left it: then that is not decided
+  // again.
+  uint16_t kept = 0;
+  bool again = false;
 };
 
 // What a recipe needs on a domain, and what is wrong if it does not fit.
@@ -40,11 +46,13 @@ struct Need {
   uint16_t multiple;       // sides must be multiples of this
   uint16_t reach;          // largest distance, in cells, of two cells that meet in one sweep
   uint32_t halo;           // cells grown around a window of the plane on every side; at most kWidestHalo
+  uint16_t block;          // side of the blocks that a window is decided in before it is grown, cells; 0: there are none
   uint64_t sweeps;         // over the grid, in all
   uint64_t rows;           // of work in all: what step counts
 };
 
 constexpr uint16_t kWidestHalo = 1024;
+constexpr uint16_t kBlockHalo = 256;  // recipes that have a way in blocks take it beyond this
 
 namespace api {
 
@@ -130,6 +138,16 @@ constexpr Status check_corners(const Recipe& recipe, const Domain& domain, Need&
   return domain.plane || domain.width != domain.height || domain.x != 0 || domain.y != 0 ? bad_side : ok;
 }
 
+constexpr evolve::Growth growth_of(const Recipe& recipe) { return {&recipe.start, recipe.stage, recipe.stages}; }
+
+// A window in blocks is grown in the reach of its shading.
+constexpr void check_blocks(const Recipe& recipe, Need& need) {
+  if (recipe.blocks == nullptr || need.halo <= kBlockHalo) return;
+  const evolve::BlockShape shape = recipe.blocks->shape(growth_of(recipe));
+  need.block = shape.side;
+  need.halo = shape.halo;
+}
+
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
   if (!good_stages(recipe)) return bad_recipe;
   if (bands < 1 || bands > kMaxBands) return bad_bands;
@@ -146,6 +164,7 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   }
   if (domain.plane) {
     need.halo = halo_of(recipe);
+    check_blocks(recipe, need);
     return check_window(domain, need);
   }
   const bool whole = domain.width % need.multiple == 0 && domain.height % need.multiple == 0 && domain.x % need.multiple == 0 &&
@@ -156,7 +175,7 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 constexpr grid::Ground ground_of(const Domain& domain, const Need& need) {
-  return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.multiple);
+  return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.block != 0 ? 1 : need.multiple);
 }
 
 // What corner tiles take of a stage beside its solver's own. A sweep over the rows of a tile stands for one over all of them.
@@ -187,6 +206,15 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   return parts;
 }
 
+// The same of a window in blocks.
+constexpr evolve::Parts block_parts_of(const Recipe& recipe, const grid::Ground& ground, uint8_t bands, uint16_t kept, Need& need) {
+  const evolve::BlockNeed blocks = recipe.blocks->need(growth_of(recipe), ground, bands, kept);
+  need.reach = blocks.stride;
+  need.sweeps = blocks.sweeps;
+  need.rows = blocks.rows;
+  return blocks.parts;
+}
+
 // Three rows of the field with a halo of one, and what it takes to make one: the most of any stage.
 constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const grid::Ground& ground) {
   size_t most = 0;
@@ -201,16 +229,16 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
 // To align the memory to four bytes, and because kernels on one-bit cells read, and ignore, up to two words beyond a row.
 constexpr size_t kSlack = 3 + 2 * sizeof(base::Word);
 
-constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, evolve::Parts& parts) {
+constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, uint16_t kept, evolve::Parts& parts) {
   Need need{};
   need.status = check(recipe, domain, bands, need);
   if (need.status != ok) return need;
   const grid::Ground ground = ground_of(domain, need);
-  parts = parts_of(recipe, ground, domain, bands, need);
+  parts = need.block != 0 ? block_parts_of(recipe, ground, bands, kept, need) : parts_of(recipe, ground, domain, bands, need);
   need.planes = parts.planes;
   need.scratch = parts.scratch;
   need.paint = paint_bytes(recipe, with_edge(domain), ground);
-  need.rest = parts.table + parts.bands + kSlack;
+  need.rest = parts.table + parts.bands + parts.blocks + kSlack;
   size_t total = 0;
   const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
                     base::add_bytes(total, 1, need.paint) && base::add_bytes(total, 1, need.rest);
@@ -228,13 +256,13 @@ constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
     if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
 }
 
-// What `recipe` needs on `domain`: constexpr where the recipe is.
-constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {
+// What `recipe` needs on `domain`: constexpr where the recipe is. kept: Options::kept.
+constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
   evolve::Parts parts{};
-  return api::need_of(recipe, domain, bands, parts);
+  return api::need_of(recipe, domain, bands, kept, parts);
 }
-constexpr Need need_for(const Preset& preset, const Domain& domain, uint8_t bands = 1) {
-  return need_for(preset.recipe, domain, bands);
+constexpr Need need_for(const Preset& preset, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
+  return need_for(preset.recipe, domain, bands, kept);
 }
 
 // Bytes of memory begin asks for; 0 for what it refuses.
@@ -260,10 +288,11 @@ struct Fixed {
 };
 
 // frugal: the memory of the sweeps is used again for painting. Then rows and pixels are there once the texture is done, and
-// colours have no light and normal maps no slope.
+// colours have no light and normal maps no slope. Windows in blocks are not for a Fixed.
 constexpr Fixed fixed(const Recipe& recipe, const Domain& domain, bool frugal = false) {
   Fixed f{recipe, domain, Need{}, evolve::Parts{}, grid::Ground{}, frugal};
-  f.need = api::need_of(recipe, domain, 1, f.parts);
+  f.recipe.blocks = nullptr;
+  f.need = api::need_of(f.recipe, domain, 1, 0, f.parts);
   if (f.need.status != ok) return f;
   f.ground = api::ground_of(domain, f.need);
   if (!frugal) return f;
@@ -326,11 +355,13 @@ class Texture {
   void repaint(const Paint* paint) { paint_ = paint; }
 
   const Domain& domain() const { return domain_; }
+  // Whether the field is there, or, in blocks, still to be decided: till then it is flat.
+  bool decided() const { return blocks_ == nullptr || blocks_->doing == evolve::Doing::shading; }
 
  private:
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
-  void ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
+  void lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   bool look_at(uint16_t y, paint::Source& source);
   void colour(const Brush& brush, const paint::Source& source, uint8_t* out);
@@ -343,6 +374,7 @@ class Texture {
   uint8_t* field_;          // three rows with a halo of one
   uint8_t* work_;
   uint64_t rows_in_all_;
+  evolve::Blocks* blocks_;  // null: not in blocks
   int32_t held_rows_[3];    // which row a slot holds, as of rows_seen_
   uint64_t rows_seen_;
   bool rom_;

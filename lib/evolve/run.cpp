@@ -116,12 +116,13 @@ DAPPLE_APART static void refine_one_row(Run& run) {
   run.phase = Phase::sweeping;
 }
 
-// On the plane, what a sweep need not compute: the part of the halo that is used up once the step is done.
+// On the plane, what the sweeps of a step need not compute: the part of the halo that is used up once the step is done.
 static void set_margin(Run& run, bool first) {
+  if (!first) return;
   run.sweep.margin = 0;
   if (!run.domain.plane) return;
   const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
-  if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
+  run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
   if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
 }
 

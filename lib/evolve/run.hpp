@@ -78,6 +78,7 @@ struct Parts {
   size_t planes, scratch, table, bands;
   bool fits;
   bool frugal = false;  // scratch comes last, so that it may be used for something else in the end
+  size_t blocks = 0;    // of windows in blocks
 };
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }

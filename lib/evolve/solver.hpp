@@ -99,10 +99,11 @@ inline void window_sweep(const Context& context, uint8_t radius, grid::RowKernel
 constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
 
 // --- gaussian: impulse splitting, eq. (12). One reaction, then the Gaussian of a whole macro step on every plane. ---
-constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level) {
+// length: of the step, Q16 macro steps.
+constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t level, int32_t length) {
   Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0, 0};
   for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
-    const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));
+    const stencil::Lattice lattice = stencil::lattice_of(grid::over(grid::at_level(model.tensor(number, plane), level), length));
     uint16_t spread = 0;
     for (uint8_t i = 0; i < lattice.count; ++i) {
       const stencil::Direction& d = lattice.direction[i];
@@ -125,6 +126,11 @@ constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_
   }
   return reach;
 }
+constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level) {
+  return passes_reach(model, number, level, grid::kOneVariance);
+}
+// After a first sweep `row` over all planes, the passes of a step of that length; the model's values are in sweep.p.
+bool passes_next(const Context& context, Cursor& cursor, Sweep& sweep, grid::RowKernel row, int32_t length);
 bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next, nullptr, nullptr, nullptr, Sharing::reaction};
 
