@@ -214,6 +214,8 @@ test_header() {
 
 test_sheet() {
   makes sheet.png sheet --size 80
+  makes three.png sheet --size 80 -o three.png zebra 'threshold pairs=2 scale=1.9 stretch=3 rho=0.02' radial
+  pictures size "$folder/three.png" $((8 + 3 * 88)) 108
   makes small.ppm sheet --size 84x80 -o small.ppm --view field
   local rows=$((($(echo "$presets" | wc -l) + 5) / 6))
   pictures size "$folder/sheet.png" $((8 + 6 * 88)) $((8 + rows * 100))
@@ -230,7 +232,8 @@ test_usage_errors() {
   refused 2 "''" -- grow ''
   refused 2 "'more'" -- grow zebra more
   refused 2 "'more'" -- list more
-  refused 2 "'zebra'" -- sheet zebra
+  refused 2 "'zebbra'" -- sheet zebra zebbra
+  refused 2 "'size=3'" -- sheet 'zebra size=3'
   refused 2 "'--at'" --size --seed -- sheet --at 1,2
   refused 2 "'--seed'" --json -- info zebra --seed 2
   refused 2 "'--size'" --json -- list --size 2

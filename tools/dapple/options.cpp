@@ -232,6 +232,8 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
+  } else if ((command & in_sheet) != 0 && !word.empty()) {
+    options.wanted.push_back(word);
   } else if (subject && is_change(word)) {
     options.changes.push_back(word);
   } else {
