@@ -233,7 +233,7 @@ test_usage_errors() {
   refused 2 "'more'" -- grow zebra more
   refused 2 "'more'" -- list more
   refused 2 "'zebbra'" -- sheet zebra zebbra
-  refused 2 "'size=3'" -- sheet 'zebra size=3'
+  refused 2 "'zebra size=3'" -- sheet 'zebra size=3'
   refused 2 "'--at'" --size --seed -- sheet --at 1,2
   refused 2 "'--seed'" --json -- info zebra --seed 2
   refused 2 "'--size'" --json -- list --size 2
