@@ -348,6 +348,15 @@ test_maps() {
   refused 1 deep.pgm 65535 255 -- grow radial map=@"$maps/deep.pgm"
   refused 1 wide.pgm 99999x16 8192 -- grow radial map=@"$maps/wide.pgm"
   refused 1 other.pgm "PGM or PPM" -- info radial map=@"$maps/other.pgm"
+  run grow weave --size 64 -o "$maps/weave.png" &&
+    run grow weave --size 64 -o "$maps/weave.ppm"
+  head -c 900 "$maps/weave.png" > "$maps/short.png"
+  if run info radial map=@"$maps/weave.png" > /dev/null 2>&1; then
+    equal "map: a PNG is its pixels" "$(hash_of radial --size 64 map=@"$maps/weave.png")" "$(hash_of radial --size 64 map=@"$maps/weave.ppm")"
+    refused 1 short.png "libpng says" -- grow radial map=@"$maps/short.png"
+  else
+    refused 1 weave.png "built with libpng" -- grow radial map=@"$maps/weave.png"
+  fi
   { printf 'P6 1 1 255\n'; printf '\377\200\377'; } > "$maps/plain.ppm"
   { printf 'P5 2 1 255\n'; printf '\377\100'; } > "$maps/shorter.pgm"
   equal "style: the recipe's own" "$(hash_of radial --size 64 style=@"$maps/plain.ppm")" "$(hash_of radial --size 64)"

@@ -176,7 +176,7 @@ const Option kOptions[] = {
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
     {"--map-as", "HOW", in_grow | in_info,
-     "how map=@FILE (PGM, PPM) is read: structure, stripes along what the picture shows;\n"
+     "how map=@FILE (PGM, PPM, PNG) is read: structure, stripes along what the picture shows;\n"
      "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
      [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
     {"-o", "FILE", in_grow | in_sheet, "file to write; its suffix picks the format; - is standard output", read_output},
