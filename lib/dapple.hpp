@@ -125,11 +125,16 @@ constexpr Status check_window(const Domain& d, Need& need) {
   return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
+// Whether a stage grows all tiles by the same rule.
+constexpr bool treats_alike(const Stage& s) {
+  return s.solver->sharing != evolve::Sharing::none && (s.solver->alike == nullptr || s.solver->alike(s.number));
+}
+
 // Of corner tiles, which are a square torus: need speaks of all of them, four either way.
 constexpr Status check_corners(const Recipe& recipe, const Domain& domain, Need& need) {
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    if (s.steps == 0 || s.solver->sharing == evolve::Sharing::none || s.model->cell != grid::Cell::int16) return no_corners;
+    if (s.steps == 0 || !treats_alike(s) || s.model->cell != grid::Cell::int16) return no_corners;
   }
   smallest(recipe, 3, need);
   const uint16_t side = need.width > need.height ? need.width : need.height;

@@ -98,8 +98,15 @@ constexpr Reach styled_reach(const Model& model, const int32_t* number, uint8_t 
   return reach_of_flux(model, number, level, true, true);
 }
 
-inline constexpr Solver flux DAPPLE_ROM = {flux_reach, flux_next, prepare_flux, nullptr, accepts_map};
-inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next, prepare_lean_flux, nullptr, accepts_map};
+// Other maps say where in the tile a direction is, which differs from tile to tile.
+constexpr bool follows_corners(const int32_t* number) {
+  return number[mapped::map] == mapped::corners || number[mapped::map] == mapped::none;
+}
+
+inline constexpr Solver flux DAPPLE_ROM = {flux_reach,  flux_next,         prepare_flux, nullptr,
+                                           accepts_map, Sharing::reaction, 1,            follows_corners};
+inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next,         prepare_lean_flux, nullptr,
+                                                accepts_map,     Sharing::reaction, 1,                 follows_corners};
 inline constexpr Solver styled DAPPLE_ROM = {styled_reach, flux_next, prepare_styled, nullptr, accepts_styles};
 
 }  // namespace dapple::evolve

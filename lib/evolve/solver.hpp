@@ -83,6 +83,7 @@ struct Solver {
   bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
   Sharing sharing = Sharing::none;
   uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
+  bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

@@ -176,7 +176,7 @@ const Option kOptions[] = {
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
     {"--map-as", "HOW", in_grow | in_info,
-     "how map=@FILE (PGM, PPM) is read: structure, stripes along what the picture shows;\n"
+     "how map=@FILE (PGM, PPM, PNG) is read: structure, stripes along what the picture shows;\n"
      "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
      [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
     {"-o", "FILE", in_grow | in_sheet, "file to write; its suffix picks the format; - is standard output", read_output},
@@ -242,6 +242,8 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
+  } else if ((command & in_sheet) != 0 && !word.empty()) {
+    options.wanted.push_back(word);
   } else if (subject && is_change(word)) {
     options.changes.push_back(word);
   } else {

@@ -23,6 +23,7 @@ struct Place {
 struct Options {
   std::string subject;               // NAME or RECIPE
   std::vector<std::string> changes;  // key=value
+  std::vector<std::string> wanted;   // of sheet: presets and recipes; none: all presets
   uint16_t width = 256, height = 256;
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
