@@ -16,6 +16,8 @@
 #pragma once
 #include "evolve/corners.hpp"
 #include "evolve/field.hpp"
+#include "evolve/work.hpp"
+#include "paint/mip.hpp"
 #include "recipe/presets.hpp"
 
 namespace dapple {
@@ -352,6 +354,8 @@ class Texture {
   // Row y as pixels, as it stands now: pixel_bytes(format, width) bytes.
   void paint(uint16_t y, Pixels format, void* out);
   void paint(uint16_t y, const Brush& brush, void* out);
+  // Row y as several pictures, the maps of a material say, all from one field whose rows are made once.
+  void paint(uint16_t y, const Layer* layers, uint8_t count);
   // Instead of the recipe's paint; null: the recipe's again. It must outlive its use.
   void repaint(const Paint* paint) { paint_ = paint; }
 
@@ -364,6 +368,7 @@ class Texture {
                size_t bytes, const Options& options, Need* need);
   void lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
+  bool look_at(uint16_t y, paint::Source& source);
   void colour(const Brush& brush, const paint::Source& source, uint8_t* out);
   int16_t* field_row(int32_t y, int32_t centre);
 

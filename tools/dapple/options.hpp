@@ -30,6 +30,7 @@ struct Options {
   std::optional<uint32_t> steps;
   MapAs map_as = MapAs::structure;  // how map=@FILE is read
   std::string output;  // empty: after the subject
+  std::string maps;    // the folder of a material's maps; empty: one picture
   std::optional<Format> format;
   dapple::View view = dapple::View::colour;
   std::optional<dapple::Pixels> pixels;
@@ -42,6 +43,7 @@ struct Options {
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
+  bool mips = false;   // and their levels
   bool map = false, rle = false, text = false;
   bool dither = false, flip_y = false, hash = false, json = false;
 };
