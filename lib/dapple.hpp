@@ -97,7 +97,7 @@ constexpr uint32_t halo_of(const Recipe& recipe) {
   uint64_t halo = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
     halo += (static_cast<uint64_t>(s.steps) * reach.spread) << s.level;
     if (s.entry == Entry::refine) halo += 2u << s.level;
     if (i + 1 == recipe.stages) halo += static_cast<uint32_t>(reach.field_radius + s.level + 1u) << s.level;
@@ -120,7 +120,9 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   smallest(recipe, need);
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+    if (s.solver->accepts == nullptr) continue;
+    const Status accepted = s.solver->accepts(s.number, s.stored, domain);
+    if (accepted != ok) return accepted;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.plane) {
@@ -144,7 +146,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands);
-    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
     need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
@@ -158,7 +160,7 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
   size_t most = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level), ground, domain.plane, domain.width, s.level);
+    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level, s.stored), ground, domain.plane, domain.width, s.level);
     most = bytes > most ? bytes : most;
   }
   return 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1) + most;
@@ -187,8 +189,8 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 
 }  // namespace api
 
-// Hands the directions of map=image and the styles of solver=styled to every stage of a recipe. begin looks at them, and answers bad_map
-// where they are wanted and missing, or of a size out of range.
+// Hands the directions of map=image, the styles of solver=styled and the measured surface of solver=surface to every stage of a
+// recipe. begin looks at them, and answers bad_map or bad_surface where they are wanted and missing, or of a wrong size.
 constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
   for (uint8_t i = 0; i < recipe.stages; ++i)
     if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;

@@ -1,6 +1,7 @@
 // The whole library as one translation unit, for firmware projects: compile this file and nothing else of lib/.
 // SPDX-License-Identifier: MIT
 #include "base/math.cpp"
+#include "grid/patch.cpp"
 #include "grid/rows.cpp"
 #include "start/noise.cpp"
 #include "start/seeds.cpp"
@@ -13,6 +14,8 @@
 #include "stencil/sliced.cpp"
 #include "stencil/spectrum.cpp"
 #include "stencil/steer.cpp"
+#include "stencil/surface.cpp"
+#include "stencil/warp.cpp"
 #include "model/cells.cpp"
 #include "model/gray_scott.cpp"
 #include "model/threshold.cpp"

@@ -43,7 +43,7 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.at_plane = 0;
   run.field_radius = 0;
   if (run.solver.field != nullptr) {
-    const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+    const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
     run.field_radius = reach.field_radius;
     run.field_space = reach.space;
   }
@@ -115,7 +115,7 @@ DAPPLE_APART static void refine_one_row(Run& run) {
 static void set_margin(Run& run, bool first) {
   run.sweep.margin = 0;
   if (!run.domain.plane) return;
-  const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+  const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
   if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
   if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
 }

@@ -85,7 +85,7 @@ constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<u
 // Adds what a stage needs to the parts.
 constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands) {
   const uint16_t width = at_level(d.width, stage.level);
-  const Reach reach = solver.reach(model, stage.number, stage.level);
+  const Reach reach = solver.reach(model, stage.number, stage.level, stage.stored);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
   const uint16_t height = at_level(d.height, stage.level);

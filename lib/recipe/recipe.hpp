@@ -38,7 +38,7 @@ struct Family {
   const Number* numbers;
   uint8_t number_count;
   const char* solver_names;  // separated by '|'
-  const evolve::Solver* solvers[3];
+  const evolve::Solver* solvers[4];
   uint32_t steps;
   Start start;
   int32_t low, high;
@@ -54,8 +54,8 @@ inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
      {&evolve::gaussian, &evolve::euler}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
-    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled",
-     {&evolve::flux, &evolve::lean_flux, &evolve::styled}, 32,
+    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled|surface",
+     {&evolve::flux, &evolve::lean_flux, &evolve::styled, &evolve::surface}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
