@@ -20,6 +20,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
   Need wanted = api::need_of(checked, domain, options.bands, parts);
+  if (wanted.status == ok && domain.patches != nullptr && domain.patches->count > 1) wanted.status = bad_sides;
   if (wanted.status == ok && (memory == nullptr || bytes < wanted.bytes)) wanted.status = too_little_memory;
   if (need != nullptr) *need = wanted;
   if (wanted.status != ok) return wanted.status;
@@ -29,7 +30,9 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   rows_in_all_ = wanted.rows;
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
   const Domain grown = api::with_edge(domain);
-  ready({plan, grown, api::ground_of(domain, wanted), parts, base::aligned4(memory), options.kernels, seed, options.bands}, stored, domain);
+  evolve::Ghosts ghosts{};
+  if (domain.patches != nullptr) ghosts.seal = evolve::seal_row;
+  ready({plan, grown, api::ground_of(domain, wanted), parts, base::aligned4(memory), options.kernels, seed, options.bands, ghosts}, stored, domain);
   return ok;
 }
 
@@ -42,10 +45,21 @@ Status Texture::begin(const Fixed& fixed, uint32_t seed, void* memory, size_t by
   rows_in_all_ = need.rows;
   const evolve::Plan plan = {&fixed.recipe.start, fixed.recipe.stage, base::rom_load(&fixed.recipe.stages), true};
   const Domain domain = base::rom_load(&fixed.domain);
-  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1};
+  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1, {}};
   setup.parts.frugal = frugal_;
   ready(setup, &fixed.recipe, domain);
   return ok;
+}
+
+// A patch of an atlas, which has checked everything.
+void Texture::ready(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+                    const evolve::Ghosts& ghosts) {
+  evolve::Parts parts{};
+  const Need need = api::need_of(recipe, domain, options.bands, parts);
+  rom_ = frugal_ = false;
+  rows_in_all_ = need.rows;
+  const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
+  ready({plan, api::with_edge(domain), api::ground_of(domain, need), parts, memory, options.kernels, seed, options.bands, ghosts}, &recipe, domain);
 }
 
 // Lays out the memory: planes, scratch, table, bands, painting (frugal: where scratch is). All has been checked.
@@ -55,7 +69,7 @@ void Texture::ready(const evolve::Setup& setup, const Recipe* recipe, const Doma
   paint_ = nullptr;
   domain_ = domain;
   rows_seen_ = UINT64_MAX;
-  field_ = setup.memory + parts.planes + parts.table + parts.bands + (frugal_ ? 0 : parts.scratch);
+  field_ = setup.memory + parts.planes + parts.table + parts.bands + parts.ghosts + (frugal_ ? 0 : parts.scratch);
   work_ = field_ + (frugal_ ? 1 : 3) * grid::scratch_bytes(grid::Cell::int16, setup.domain.width, 1);
   evolve::begin(run_, setup);
 }

@@ -7,13 +7,15 @@
 //   while (tile.step(8) == dapple::more) watchdog();
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
-// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height).
+// The domain is a torus, a window of the endless plane, dapple::window(x, y, width, height), or a patch whose sides are closed,
+// fixed, or joined to each other, dapple::on_patch(patches, 0); atlas.hpp grows many patches together.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "evolve/field.hpp"
+#include "evolve/ghosts.hpp"
 #include "recipe/presets.hpp"
 
 namespace dapple {
@@ -47,7 +49,8 @@ namespace api {
 
 // A window is grown with one more cell on every side, so that light falls across its edges as if there were none.
 constexpr Domain with_edge(const Domain& d) {
-  return d.plane ? window(d.x - 1, d.y - 1, static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2)) : d;
+  if (!d.plane) return d;
+  return {static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, d.patches, d.patch};
 }
 
 constexpr uint16_t side(int64_t micro) {
@@ -105,6 +108,35 @@ constexpr uint32_t halo_of(const Recipe& recipe) {
   return halo > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(halo);
 }
 
+// Ghost cells of a patch: what one sweep needs, and one for light and refinement.
+constexpr uint32_t pad_of(const Recipe& recipe, uint16_t multiple) {
+  uint32_t pad = 1;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
+    const uint32_t cells = static_cast<uint32_t>(reach.span > 0 ? reach.span : reach.stride) << s.level;
+    pad = cells > pad ? cells : pad;
+  }
+  return (pad + multiple - 1) / multiple * multiple;
+}
+
+// A patch: its sides, and that it is larger than its ghost cells' sources.
+constexpr Status check_patch(const Recipe& recipe, const Domain& d, Need& need) {
+  const Patches& all = *d.patches;
+  const bool listed = all.patch != nullptr && all.count >= 1 && all.count <= kMostPatches && d.patch < all.count;
+  if (!listed || !d.plane || d.x != all.patch[d.patch].x || d.y != all.patch[d.patch].y) return bad_sides;
+  if (d.width != all.width || d.height != all.height || recipe.stage[0].model->cell == grid::Cell::bit) return bad_sides;
+  if (first_unpaired(all).found) return bad_sides;
+  need.halo = pad_of(recipe, need.multiple);
+  need.width = need.height = static_cast<uint16_t>(need.halo < kSmallestSide ? kSmallestSide : need.halo);
+  const Patch& p = all.patch[d.patch];
+  const auto whole = [&](int32_t cells) { return cells % need.multiple == 0; };
+  if (!whole(d.width) || !whole(d.height) || !whole(p.x) || !whole(p.y)) return not_a_multiple;
+  if (p.x < -kFarthest / 2 || p.y < -kFarthest / 2 || p.x > kFarthest / 2 || p.y > kFarthest / 2) return too_far;
+  if (d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u) return too_large;
+  return d.width < need.width || d.height < need.height ? tile_too_small : ok;
+}
+
 // A window, before and with its halo.
 constexpr Status check_window(const Domain& d, Need& need) {
   if (need.halo > kWidestHalo) return halo_too_wide;
@@ -125,6 +157,7 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
     if (accepted != ok) return accepted;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
+  if (domain.patches != nullptr) return check_patch(recipe, domain, need);
   if (domain.plane) {
     need.halo = halo_of(recipe);
     return check_window(domain, need);
@@ -152,6 +185,10 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
     need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
     need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps + (s.steps > 0 ? reach.once : 0u);
   }
+  if (ground.patches == nullptr) return parts;
+  parts.bands = grid::align4(parts.bands);
+  parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) &&
+               parts.planes <= evolve::kMostGhostBytes;
   return parts;
 }
 
@@ -178,7 +215,7 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
   need.planes = parts.planes;
   need.scratch = parts.scratch;
   need.paint = paint_bytes(recipe, with_edge(domain), ground);
-  need.rest = parts.table + parts.bands + kSlack;
+  need.rest = parts.table + parts.bands + parts.ghosts + kSlack;
   size_t total = 0;
   const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
                     base::add_bytes(total, 1, need.paint) && base::add_bytes(total, 1, need.rest);
@@ -232,6 +269,7 @@ struct Fixed {
 constexpr Fixed fixed(const Recipe& recipe, const Domain& domain, bool frugal = false) {
   Fixed f{recipe, domain, Need{}, evolve::Parts{}, grid::Ground{}, frugal};
   f.need = api::need_of(recipe, domain, 1, f.parts);
+  if (f.need.status == ok && domain.patches != nullptr) f.need.status = bad_sides;
   if (f.need.status != ok) return f;
   f.ground = api::ground_of(domain, f.need);
   if (!frugal) return f;
@@ -294,8 +332,11 @@ class Texture {
   const Domain& domain() const { return domain_; }
 
  private:
+  friend class Atlas;
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
+  void ready(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+             const evolve::Ghosts& ghosts);
   void ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   void colour(const Brush& brush, const paint::Source& source, uint8_t* out);

@@ -26,6 +26,7 @@
 #include "evolve/field.cpp"
 #include "evolve/flux.cpp"
 #include "evolve/gaussian.cpp"
+#include "evolve/ghosts.cpp"
 #include "evolve/refine.cpp"
 #include "evolve/run.cpp"
 #include "evolve/steering.cpp"
@@ -33,4 +34,5 @@
 #include "recipe/list.cpp"
 #include "recipe/write.cpp"
 #include "api.cpp"
+#include "atlas.cpp"
 #include "chunks.cpp"
