@@ -52,6 +52,8 @@ class Atlas {
   // nothing has been touched.
   Status begin(const Recipe& recipe, const Patches& patches, uint32_t seed, Texture* textures, void* memory, size_t bytes,
                const Options& options = Options{}, AtlasNeed* need = nullptr);
+  Status begin(const Recipe& recipe, Patches&& patches, uint32_t seed, Texture* textures, void* memory, size_t bytes,
+               const Options& options = Options{}, AtlasNeed* need = nullptr) = delete;  // would dangle
 
   // Up to `rows` rows of work: more, or done. Between calls textures may be looked at, but not stepped.
   Status step(uint32_t rows);
@@ -68,9 +70,6 @@ class Atlas {
   uint8_t count_, at_;  // the patch whose turn it is
   uint16_t part_;       // of all patches before it in this round
 };
-
-// A patch alone: sides that are joined to the opposite ones repeat.
-constexpr Side repeating_side(uint8_t side) { return joined_side(0, static_cast<uint8_t>(side ^ 1)); }
 
 // --- A sphere: the faces of a cube. Four around the equator, each to the right of the one before, then the north and the
 // south, above and below the first. A cell at (X, Y) = (tan a, tan b) of a face lies in the direction n + X u + Y v.

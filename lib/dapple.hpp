@@ -8,7 +8,7 @@
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
 // The domain is a torus, a window of the endless plane, dapple::window(x, y, width, height), or a patch whose sides are closed,
-// fixed, or joined to each other, dapple::on_patch(patches, 0); atlas.hpp grows many patches together.
+// fixed, or joined to each other, dapple::on_patch(patches, 0), which a recipe with sides must have; atlas.hpp grows many patches together.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
@@ -158,6 +158,7 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.patches != nullptr) return check_patch(recipe, domain, need);
+  if (has_sides(recipe)) return bad_sides;
   if (domain.plane) {
     need.halo = halo_of(recipe);
     return check_window(domain, need);
@@ -231,6 +232,24 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
   for (uint8_t i = 0; i < recipe.stages; ++i)
     if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
+}
+
+// The same of a surface, for recipes of the threshold family too: threshold's tensors become those of map=none or
+// map=isotropic. False for other families, or where the recipe's stages are of several.
+constexpr bool set_surface(Recipe& recipe, const PlaceMaps& maps) {
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    Stage& s = recipe.stage[i];
+    if (s.model != &threshold_model && s.model != &mapped_model) return false;
+    if (s.model == &threshold_model) {
+      const bool round = s.number[threshold::diffusion] == threshold::isotropic;
+      s.number[mapped::map] = round ? mapped::isotropic_pairs : mapped::none;
+      s.number[mapped::detail] = mapped::kDetail[0];
+    }
+    s.model = &mapped_model;
+    s.solver = &evolve::surface;
+    s.stored = &maps;
+  }
+  return true;
 }
 
 // What `recipe` needs on `domain`: constexpr where the recipe is.

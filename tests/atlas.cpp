@@ -227,7 +227,8 @@ TEST_CASE("atlas: nothing shows across the sides of a sphere") {
     std::vector<Patch> apart = six;
     for (Patch& p : apart)
       for (Side& s : p.side) s = kClosed;
-    GrownAtlas single(recipe, {apart.data(), 6, 64, 64}, seed);
+    const Patches faces = {apart.data(), 6, 64, 64};
+    GrownAtlas single(recipe, faces, seed);
     CHECK(seam_ratio(single, sphere) > 3);
   }
 }

@@ -26,6 +26,7 @@ constexpr int32_t kFarthest = INT32_C(1) << 30;
 constexpr Domain torus(uint16_t width, uint16_t height) { return {width, height, 0, 0, false}; }
 constexpr Domain torus(uint16_t width, uint16_t height, int32_t x, int32_t y) { return {width, height, x, y, false}; }
 constexpr Domain window(int32_t x, int32_t y, uint16_t width, uint16_t height) { return {width, height, x, y, true}; }
+constexpr Domain on_patch(Patches&& all, uint8_t patch) = delete;  // would dangle
 constexpr Domain on_patch(const Patches& all, uint8_t patch) {
   const bool there = patch < all.count && all.count <= kMostPatches;
   return {all.width, all.height, there ? all.patch[patch].x : 0, there ? all.patch[patch].y : 0, true, &all, patch};

@@ -43,6 +43,9 @@ constexpr Side joined_side(uint8_t patch, uint8_t side, bool reversed = false) {
   return {Side::joined, patch, side, reversed, {0, 0}};
 }
 
+// Of a patch alone: joined to the opposite one.
+constexpr Side repeating_side(uint8_t side) { return joined_side(0, static_cast<uint8_t>(side ^ 1)); }
+
 // A side that is not what the side it names says, or names none, or one of another length; or fixed values that are not
 // 0..1.
 struct Unpaired {

@@ -13,12 +13,36 @@
 
 namespace dapple {
 
+// What a recipe says of the sides of its domain: a patch (patch_of) unless all repeat.
+struct Sides {
+  enum Kind : uint8_t { repeat, closed, fixed } kind[kSides];
+  int32_t held[2];  // Side::value of the fixed ones
+};
+
 struct Recipe {
   Start start;
   Paint paint;
   uint8_t stages;
   Stage stage[kMaxStages];
+  Sides sides;
 };
+
+constexpr bool has_sides(const Recipe& recipe) {
+  for (const Sides::Kind kind : recipe.sides.kind)
+    if (kind != Sides::repeat) return true;
+  return false;
+}
+
+// The patch that a recipe's sides ask for: the only one of its Patches.
+constexpr Patch patch_of(const Recipe& recipe) {
+  const Sides& s = recipe.sides;
+  Patch patch{};
+  for (uint8_t i = 0; i < kSides; ++i)
+    patch.side[i] = s.kind[i] == Sides::repeat   ? repeating_side(i)
+                    : s.kind[i] == Sides::closed ? closed_side()
+                                                 : fixed_side(s.held[0], s.held[1]);
+  return patch;
+}
 
 // A recipe that lives in read-only memory (flash on AVR).
 struct Preset {

@@ -134,6 +134,21 @@ static void put_start(Writer& w, const Start& s) {
   put_pair(w, "amplitude", s.amplitude);
 }
 
+static void put_sides(Writer& w, const Sides& s) {
+  put_key(w, "sides");
+  bool held = false;
+  for (uint8_t i = 0; i < kSides; ++i) {
+    if (i > 0) put(w, ',');
+    put_word(w, "repeat|closed|fixed", s.kind[i]);
+    held = held || s.kind[i] == Sides::fixed;
+  }
+  if (!held) return;
+  put_key(w, "held");
+  put_decimal(w, s.held[0]);
+  put(w, ',');
+  put_decimal(w, s.held[1]);
+}
+
 static void put_ramp(Writer& w, const Ramp& ramp) {
   put_key(w, "ramp");
   for (const NamedRamp& named : ramps) {
@@ -173,6 +188,7 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   recipe::put(w, family->name);
   recipe::put_stage(w, *family, recipe.stage[0]);
   recipe::put_start(w, recipe.start);
+  if (has_sides(recipe)) recipe::put_sides(w, recipe.sides);
   recipe::put_paint(w, recipe.paint);
   for (uint8_t i = 1; i < recipe.stages; ++i) {
     recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");

@@ -150,6 +150,14 @@ void read_map(const std::string& path, MapAs as, PictureMaps& to) {
   to.maps.direction = {to.pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
 }
 
+GreyPicture read_grey(const std::string& path) {
+  const Pixmap picture = read_pixmap(path);
+  GreyPicture to{picture.width, picture.height, {}};
+  for (uint32_t y = 0; y < picture.height; ++y)
+    for (uint32_t x = 0; x < picture.width; ++x) to.grey.push_back(static_cast<uint8_t>(picture.grey(x, y)));
+  return to;
+}
+
 void read_styles(const std::string& path, PictureMaps& to) {
   const Pixmap picture = read_pixmap(path);
   const uint32_t most = static_cast<uint32_t>(dapple::kMostImage);

@@ -28,4 +28,11 @@ struct PictureMaps {
 void read_map(const std::string& path, MapAs as, PictureMaps& to);
 void read_styles(const std::string& path, PictureMaps& to);
 
+// The grey of every pixel, row by row.
+struct GreyPicture {
+  uint32_t width, height;
+  std::vector<uint8_t> grey;
+};
+GreyPicture read_grey(const std::string& path);
+
 }  // namespace cli

@@ -10,8 +10,10 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32 };
-constexpr unsigned kTakesSubject = in_grow | in_info | in_stream;  // NAME|RECIPE [key=value ...]
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_surface = 64 };
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_surface;  // NAME|RECIPE [key=value ...]
+
+constexpr const char* kShapes = "torus|vase|sphere|flat";  // of surface
 
 // A pixel of the endless plane.
 struct Place {
@@ -39,6 +41,8 @@ struct Options {
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
+  std::string shape, preview, heights, metric, atlas;  // of surface: its name, and files
+  std::optional<int32_t> ratio, tall;                  // 1/1000000
   bool map = false, rle = false, text = false;
   bool dither = false, flip_y = false, hash = false, json = false;
 };

@@ -15,20 +15,24 @@ namespace cli {
 
 namespace files = std::filesystem;
 
-// The file to remove when a signal ends the program; empty for none.
-static char unfinished[4096];
+// The files to remove when a signal ends the program; empty for none.
+static char unfinished[2][4096];
 
 static void remove_and_end(int signal) {
-  if (unfinished[0] != 0) unlink(unfinished);
+  for (const char* path : unfinished)
+    if (path[0] != 0) unlink(path);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-static void watch(const std::string& path) {
-  if (path.size() >= sizeof unfinished) return;
-  std::memcpy(unfinished, path.c_str(), path.size() + 1);
+// The slot that watches it; null for a name too long.
+static char* watch(const std::string& path) {
+  char* const free = unfinished[unfinished[0][0] != 0 ? 1 : 0];
+  if (path.size() >= sizeof unfinished[0]) return nullptr;
+  std::memcpy(free, path.c_str(), path.size() + 1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, remove_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
+  return free;
 }
 
 [[noreturn]] static void cannot_write(const std::string& path, const std::string& why) {
@@ -64,13 +68,13 @@ void Output::open_beside(const std::string& path) {
     temporary_.clear();
     cannot_write(path, std::strerror(errno));
   }
-  watch(temporary_);
+  watched_ = watch(temporary_);
 }
 
 Output::~Output() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   if (!temporary_.empty()) std::remove(temporary_.c_str());
-  unfinished[0] = 0;
+  if (watched_ != nullptr) watched_[0] = 0;
 }
 
 void Output::write(const void* bytes, size_t count) {

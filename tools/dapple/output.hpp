@@ -29,6 +29,7 @@ class Output {
 
   std::string path_, temporary_;  // temporary_ is empty where nothing has to be renamed
   std::FILE* file_ = nullptr;
+  char* watched_ = nullptr;  // names the temporary file to whoever removes it at a signal
   int error_ = 0;  // errno of the first failed write
 };
 
