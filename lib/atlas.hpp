@@ -102,7 +102,7 @@ constexpr Side beyond(uint8_t face, uint8_t side) {
 
 constexpr void make_sphere(Patch* six, uint16_t side) {
   for (uint8_t i = 0; i < 6; ++i) {
-    six[i].x = 2 * static_cast<int32_t>(side) * i;
+    six[i].x = static_cast<int32_t>(side) * i;
     six[i].y = 0;
     for (uint8_t k = 0; k < kSides; ++k) six[i].side[k] = api::beyond(i, k);
   }

@@ -181,8 +181,12 @@ TEST_CASE("atlas: a constant field stays constant between closed sides, and does
 
 namespace {
 
-// Mean difference of neighbours across sides, over that of cells near them.
-double seam_ratio(GrownAtlas& grown, const Patches& all) {
+// Differences of neighbours across sides, and of cells near them.
+struct Seam {
+  double across = 0, inside = 0;
+  double ratio() const { return across / inside; }
+};
+void add_seams(GrownAtlas& grown, const Patches& all, Seam& seam) {
   std::vector<std::vector<int16_t>> field;
   for (uint8_t i = 0; i < all.count; ++i) field.push_back(grown.field(i));
   const int side = all.width;
@@ -190,7 +194,6 @@ double seam_ratio(GrownAtlas& grown, const Patches& all) {
     const dapple::grid::Source s = dapple::grid::source_of(all, 0, patch, x, y);
     return int{field[s.patch][static_cast<size_t>(s.y * side + s.x)]};
   };
-  double across = 0, inside = 0;
   const int depth = side / 8;
   for (uint8_t i = 0; i < all.count; ++i)
     for (int t = 0; t < side; ++t)
@@ -200,9 +203,8 @@ double seam_ratio(GrownAtlas& grown, const Patches& all) {
             const int place = (k & 1) != 0 ? side - 1 - in : in;
             return k < Side::top ? value(i, place, t) : value(i, t, place);
           };
-          (d == 0 ? across : inside) += std::abs(at(d) - at(d - 1)) / (d == 0 ? 1.0 : depth - 1.0);
+          (d == 0 ? seam.across : seam.inside) += std::abs(at(d) - at(d - 1)) / (d == 0 ? 1.0 : depth - 1.0);
         }
-  return across / inside;
 }
 
 }  // namespace
@@ -217,18 +219,92 @@ TEST_CASE("atlas: nothing shows across the sides of a sphere") {
   maps.surface = &metric;
   dapple::Recipe recipe = tests::recipe_of("mapped map=isotropic scale=1.6 steps=24 solver=surface");
   set_maps(recipe, maps);
-  for (uint32_t seed = 1; seed <= 3; ++seed) {
+  // Few waves cross a side: over several seeds.
+  std::vector<Patch> apart = six;
+  for (Patch& p : apart)
+    for (Side& s : p.side) s = kClosed;
+  const Patches faces = {apart.data(), 6, 64, 64};
+  Seam joined, single;
+  for (uint32_t seed = 1; seed <= 6; ++seed) {
     GrownAtlas grown(recipe, sphere, seed, 100);
     REQUIRE(grown.status == dapple::ok);
-    const double joined = seam_ratio(grown, sphere);
-    INFO("seed " << seed << ": " << joined);
-    CHECK(joined >= 0.9);
-    CHECK(joined <= 1.1);
-    std::vector<Patch> apart = six;
-    for (Patch& p : apart)
-      for (Side& s : p.side) s = kClosed;
-    const Patches faces = {apart.data(), 6, 64, 64};
-    GrownAtlas single(recipe, faces, seed);
-    CHECK(seam_ratio(single, sphere) > 3);
+    add_seams(grown, sphere, joined);
+    if (seed > 1) continue;
+    GrownAtlas alone(recipe, faces, seed);
+    add_seams(alone, sphere, single);
+  }
+  INFO("joined " << joined.ratio() << ", apart " << single.ratio());
+  CHECK(joined.ratio() >= 0.9);
+  CHECK(joined.ratio() <= 1.1);
+  CHECK(single.ratio() > 3);
+}
+
+TEST_CASE("atlas: the first side that does not pair up is named") {
+  std::vector<Patch> six(6);
+  dapple::make_sphere(six.data(), 32);
+  const auto first = [&](const std::vector<Patch>& list, uint16_t width, uint16_t height) {
+    const Patches all = {list.data(), static_cast<uint8_t>(list.size()), width, height};
+    const dapple::AtlasNeed need = atlas_need(tests::recipe_of("mapped scale=1"), all);
+    CHECK((need.status == dapple::bad_sides) == need.unpaired.found);
+    CHECK((need.bytes == 0) == need.unpaired.found);
+    if (!need.unpaired.found) return std::string();
+    return std::to_string(need.unpaired.patch) + " " + std::to_string(need.unpaired.side);
+  };
+  CHECK(first(six, 32, 32) == "");
+  CHECK(first(six, 40, 32) == "0 2");  // the north's lower side is not as long
+  std::vector<Patch> broken = six;
+  broken[3].side[Side::right] = kClosed;
+  CHECK(first(broken, 32, 32) == "0 0");
+  broken = six;
+  broken[5].side[Side::left].reversed = !six[5].side[Side::left].reversed;
+  CHECK(first(broken, 32, 32) != "");
+  broken = six;
+  broken[2].side[Side::top].patch = 6;
+  CHECK(first(broken, 32, 32) == "2 2");
+  broken[2].side[Side::top] = dapple::fixed_side(1000001, 0);
+  CHECK(first(broken, 32, 32) == "2 2");
+}
+
+TEST_CASE("atlas: what begin refuses, and that it leaves alone what it was given") {
+  const dapple::Recipe recipe = tests::recipe_of("mapped scale=1 steps=1");
+  const Sheet sheet(2, 1, 32, 24, true, true);
+  std::vector<dapple::Texture> texture(2);
+  dapple::Atlas atlas;
+  const size_t bytes = atlas_need(recipe, sheet.all).bytes;
+  std::vector<uint8_t> memory(bytes, 7);
+  dapple::AtlasNeed need{};
+  CHECK(atlas.begin(recipe, sheet.all, 1, texture.data(), memory.data(), bytes - 1, {}, &need) == dapple::too_little_memory);
+  CHECK(need.bytes == bytes);
+  CHECK(memory == std::vector<uint8_t>(bytes, 7));
+  CHECK(dapple::need_for(recipe, on_patch(sheet.all, 2)).status == dapple::bad_sides);
+  CHECK(texture[0].begin(recipe, on_patch(sheet.all, 0), 1, memory.data(), bytes) == dapple::bad_sides);  // not alone
+  CHECK(dapple::need_for(tests::recipe_of("bits"), on_patch(sheet.all, 0)).status == dapple::bad_sides);
+  const Sheet small(1, 1, 8, 8, true, true), odd(1, 1, 41, 40, true, true);
+  CHECK(dapple::need_for(tests::recipe_of("mapped scale=4"), on_patch(small.all, 0)).status == dapple::tile_too_small);
+  CHECK(dapple::need_for(tests::recipe_of("mapped levels=2"), on_patch(odd.all, 0)).status == dapple::not_a_multiple);
+  CHECK(dapple::need_for(tests::recipe_of("mapped sides=closed"), dapple::torus(64, 64)).status == dapple::bad_sides);
+}
+
+TEST_CASE("atlas: sides are words of a recipe") {
+  const auto sides = [](const char* text) {
+    const Patch p = patch_of(tests::recipe_of((std::string("mapped ") + text).c_str()));
+    std::string said;
+    for (const Side& s : p.side) said += s.kind == Side::joined ? 'j' : s.kind == Side::closed ? 'c' : 'f';
+    return said + (said.find('f') == std::string::npos ? "" : std::to_string(p.side[said.find('f')].value[1]));
+  };
+  CHECK(sides("") == "jjjj");
+  CHECK(sides("sides=closed") == "cccc");
+  CHECK(sides("sides=repeat,closed") == "jjcc");
+  CHECK(sides("sides=closed,fixed,repeat,repeat held=0.25,0.5") == "cfjj500000");
+  for (const char* wrong : {"sides=closed,repeat,closed,closed", "sides=closed,closed,closed", "sides=open", "sides=",
+                            "sides=closed,closed,closed,closed,closed", "held=0.5", "held=1.5,0"})
+    CHECK(tests::recipe_of((std::string("mapped ") + wrong).c_str()).stages == 0);
+  const dapple::Recipe recipe = tests::recipe_of("mapped sides=fixed,closed,repeat,repeat held=0.25,0.5 scale=1.5");
+  char text[600];
+  CHECK(write(recipe, text, sizeof text) < sizeof text);
+  const Patch once = patch_of(recipe), again = patch_of(tests::recipe_of(text));
+  for (int i = 0; i < dapple::kSides; ++i) {
+    CHECK(once.side[i].kind == again.side[i].kind);
+    CHECK(once.side[i].value[0] == again.side[i].value[0]);
   }
 }

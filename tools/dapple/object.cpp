@@ -15,6 +15,11 @@ const double kPi = std::acos(-1.0);
 struct Point {
   double x, y, z;
 };
+// A corner as it is seen, and its colour.
+struct Corner {
+  Point at;
+  double rgb[3];
+};
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Point operator*(double s, Point a) { return {s * a.x, s * a.y, s * a.z}; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -58,9 +63,9 @@ class Canvas {
   Canvas(uint32_t width, uint32_t height)
       : width_(width), height_(height), rgb_(size_t{3} * width * height), depth_(size_t{width} * height, -1e9) {}
 
-  // Flat colour; the nearest to the eye stays.
-  void triangle(const Point* corner, const double* colour) {
-    const Point &a = corner[0], &b = corner[1], &c = corner[2];
+  // Colours between the corners'; the nearest to the eye stays.
+  void triangle(const Corner& first, const Corner& second, const Corner& third, double shade, double shine) {
+    const Point &a = first.at, &b = second.at, &c = third.at;
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (std::fabs(area) < 1e-9) return;
     const auto clamped = [](double v, uint32_t most) { return static_cast<uint32_t>(std::clamp(v, 0.0, double(most))); };
@@ -74,6 +79,9 @@ class Canvas {
         const double w1 = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area,
                      w2 = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
         if (w1 < -1e-6 || w2 < -1e-6 || w1 + w2 > 1 + 1e-6) continue;
+        double colour[3];
+        for (size_t i = 0; i < 3; ++i)
+          colour[i] = shine + shade * ((1 - w1 - w2) * first.rgb[i] + w1 * second.rgb[i] + w2 * third.rgb[i]);
         put(x, y, a.z + w1 * (b.z - a.z) + w2 * (c.z - a.z), colour);
       }
   }
@@ -120,29 +128,47 @@ struct View {
   double turn, tilt, scale, x, y;
 };
 
-void paint_quad(Canvas& canvas, const Point* corner, const uint8_t* rgb) {
-  const Point light = unit({-0.45, -0.6, 0.75});
-  Point normal = unit(cross(corner[1] - corner[0], corner[2] - corner[0]));
+void paint_quad(Canvas& canvas, const Corner* corner) {
+  const Point light = unit({-0.45, -0.45, 0.8});
+  Point normal = unit(cross(corner[1].at - corner[0].at, corner[2].at - corner[0].at));
   if (normal.z < 0) normal = -1 * normal;
-  const double lambert = std::max(0.0, dot(normal, light)), half = std::max(0.0, dot(normal, unit({-0.45, -0.6, 1.75})));
+  const double lambert = std::max(0.0, dot(normal, light)), half = std::max(0.0, dot(normal, unit({-0.45, -0.45, 1.8})));
   const double shade = 0.3 + 0.75 * lambert, shine = 40 * std::pow(half, 40);
-  const double colour[3] = {rgb[0] * shade + shine, rgb[1] * shade + shine, rgb[2] * shade + shine};
-  canvas.triangle(corner, colour);
-  const Point other[3] = {corner[1], corner[3], corner[2]};
-  canvas.triangle(other, colour);
+  canvas.triangle(corner[0], corner[1], corner[2], shade, shine);
+  canvas.triangle(corner[1], corner[3], corner[2], shade, shine);
+}
+
+// The mean of the cells around a corner; at a patch's end of its own.
+void colour_of(const Skin& skin, uint8_t patch, uint32_t x, uint32_t y, double* rgb) {
+  const dapple::Surface& s = skin.surface;
+  const bool round = skin.round_x, tube = skin.round_y;
+  for (uint32_t k = 0; k < 4; ++k) {
+    const auto cell = [](uint32_t at, uint32_t back, uint32_t size, bool repeats) {
+      return repeats ? (at + size - back) % size : std::min(size - 1, std::max(at, back) - back);
+    };
+    const uint32_t i = cell(x, k & 1, s.width, round), j = cell(y, k >> 1, s.height, tube);
+    const uint8_t* const from = skin.strip.rgb.data() + 3 * (size_t{j} * skin.strip.width + patch * size_t{s.width} + i);
+    for (size_t c = 0; c < 3; ++c) rgb[c] += from[c] / 4.0;
+  }
 }
 
 void paint_patch(Canvas& canvas, const Skin& skin, uint8_t patch, const View& view) {
   const dapple::Surface& s = skin.surface;
-  const auto corner = [&](uint32_t x, uint32_t y) {
-    const Point p = seen(place(s, patch, x, y), view.turn, view.tilt);
-    return Point{view.x + view.scale * p.x, view.y + view.scale * p.y, view.scale * p.z};
-  };
-  for (uint32_t y = 0; y < s.height; ++y)
-    for (uint32_t x = 0; x < s.width; ++x) {
-      const Point corners[4] = {corner(x, y), corner(x + 1, y), corner(x, y + 1), corner(x + 1, y + 1)};
-      paint_quad(canvas, corners, skin.strip.rgb.data() + 3 * (size_t{y} * skin.strip.width + patch * size_t{s.width} + x));
+  std::vector<Corner> row[2];
+  for (uint32_t y = 0; y <= s.height; ++y) {
+    row[0].swap(row[1]);
+    row[1].clear();
+    for (uint32_t x = 0; x <= s.width; ++x) {
+      const Point p = seen(place(s, patch, x, y), view.turn, view.tilt);
+      Corner corner = {{view.x + view.scale * p.x, view.y + view.scale * p.y, view.scale * p.z}, {0, 0, 0}};
+      colour_of(skin, patch, x, y, corner.rgb);
+      row[1].push_back(corner);
     }
+    for (uint32_t x = 0; x < s.width && y > 0; ++x) {
+      const Corner corners[4] = {row[0][x], row[0][x + 1], row[1][x], row[1][x + 1]};
+      paint_quad(canvas, corners);
+    }
+  }
 }
 
 // The object's shadow-free box on the picture's lower part.

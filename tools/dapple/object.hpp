@@ -17,6 +17,7 @@ struct Raster {
 struct Skin {
   const dapple::Surface& surface;
   const Raster& strip;
+  bool round_x, round_y;  // it repeats in the direction
 };
 
 // The object in light, its texture as it was grown behind it.

@@ -58,7 +58,7 @@ void read_atlas_for(const Options& options, Ground& ground) {
   ground.patch = read_atlas(options.atlas);
   if (ground.surface.width == 0) set_size(options, 96, 96, ground.surface);
   for (size_t i = 0; i < ground.patch.size(); ++i)
-    ground.patch[i].x = static_cast<int32_t>(2 * i) * ground.surface.width;
+    ground.patch[i].x = static_cast<int32_t>(i) * ground.surface.width;
   if (ground.surface.shape != dapple::Surface::tensors) return;
   const size_t maps = ground.metric.patches;
   if (maps != 1 && maps != ground.patch.size())
@@ -156,7 +156,7 @@ class Cloth {
       refuse(size + " is too small: " + name_ + " needs at least " + size_text(need.width, need.height));
     if (status == dapple::bad_map) refuse("map=image takes a picture: give map=@FILE, a PGM or PPM file");
     if (status == dapple::bad_sides) fail(size + ": patches that are joined across and down must be squares");
-    if (status == dapple::bad_surface)
+    if (status == dapple::bad_surface || status == dapple::bad_recipe)
       fail(name_ + " is not for this surface: it has more than three pairs, or where the cells are smallest (" +
            decimal_text(static_cast<int32_t>(int64_t{surface_.least} * 15625 / 1024)) +
            ") a wavelength would be too many of them");
@@ -192,13 +192,18 @@ dapple::Surface uncorrected(const Ground& ground) {
 void write_preview(const Subject& subject, const Ground& ground, Cloth& cloth, const Options& options, Output& out,
                    const Target& target) {
   constexpr uint32_t kWide = 480, kHigh = 540;
-  Cloth plain(subject, ground, uncorrected(ground), options);
+  const dapple::Surface plain_cells = uncorrected(ground);
+  Cloth plain(subject, ground, plain_cells, options);
   Progress progress;
   plain.grow(options.budget, progress);
   const uint16_t height = ground.surface.height;
   const Raster before = raster_of(plain, height), after = raster_of(cloth, height);
-  const Raster left = object_picture({ground.surface, before}, kWide, kHigh),
-               right = object_picture({ground.surface, after}, kWide, kHigh);
+  const auto repeats = [&](uint8_t side) {
+    return ground.patch.empty() || (ground.patch.size() == 1 && ground.patch[0].side[side].kind == dapple::Side::joined);
+  };
+  const bool round_x = repeats(dapple::Side::left), round_y = repeats(dapple::Side::top);
+  const Raster left = object_picture({ground.surface, before, round_x, round_y}, kWide, kHigh),
+               right = object_picture({ground.surface, after, round_x, round_y}, kWide, kHigh);
   Picture picture;
   picture.width = 2 * kWide;
   picture.height = kHigh;
