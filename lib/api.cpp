@@ -19,7 +19,7 @@ Status Texture::begin(const Recipe& recipe, const Domain& domain, uint32_t seed,
 Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
-  Need wanted = api::need_of(checked, domain, options.bands, parts);
+  Need wanted = api::need_of(checked, domain, options.bands, options.kept, parts);
   if (wanted.status == ok && domain.patches != nullptr && domain.patches->count > 1) wanted.status = bad_sides;
   if (wanted.status == ok && (memory == nullptr || bytes < wanted.bytes)) wanted.status = too_little_memory;
   if (need != nullptr) *need = wanted;
@@ -32,7 +32,15 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   const Domain grown = api::with_edge(domain);
   evolve::Ghosts ghosts{};
   if (domain.patches != nullptr) ghosts.seal = evolve::seal_row;
-  ready({plan, grown, api::ground_of(domain, wanted), parts, base::aligned4(memory), options.kernels, seed, options.bands, ghosts}, stored, domain);
+  const evolve::Setup setup = {plan,           grown, api::ground_of(domain, wanted), parts, base::aligned4(memory),
+                               options.kernels, seed,  options.bands, ghosts};
+  lay_out(setup, stored, domain);
+  if (wanted.block == 0) {
+    evolve::begin(run_, setup);
+    return ok;
+  }
+  blocks_ = evolve::blocks_in(setup.memory, parts);
+  rows_in_all_ = checked.blocks->begin(api::growth_of(checked), setup, options.kept, options.again, run_);
   return ok;
 }
 
@@ -47,41 +55,48 @@ Status Texture::begin(const Fixed& fixed, uint32_t seed, void* memory, size_t by
   const Domain domain = base::rom_load(&fixed.domain);
   evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1, {}};
   setup.parts.frugal = frugal_;
-  ready(setup, &fixed.recipe, domain);
+  lay_out(setup, &fixed.recipe, domain);
+  evolve::begin(run_, setup);
   return ok;
 }
 
 // A patch of an atlas, which has checked everything.
-void Texture::ready(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
-                    const evolve::Ghosts& ghosts) {
+void Texture::begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+                          const evolve::Ghosts& ghosts) {
   evolve::Parts parts{};
-  const Need need = api::need_of(recipe, domain, options.bands, parts);
+  const Need need = api::need_of(recipe, domain, options.bands, 0, parts);
   rom_ = frugal_ = false;
   rows_in_all_ = need.rows;
   const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
-  ready({plan, api::with_edge(domain), api::ground_of(domain, need), parts, memory, options.kernels, seed, options.bands, ghosts}, &recipe, domain);
+  const evolve::Setup setup = {plan, api::with_edge(domain), api::ground_of(domain, need), parts, memory, options.kernels,
+                               seed, options.bands, ghosts};
+  lay_out(setup, &recipe, domain);
+  evolve::begin(run_, setup);
 }
 
-// Lays out the memory: planes, scratch, table, bands, painting (frugal: where scratch is). All has been checked.
-void Texture::ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain) {
+// Lays out the memory: planes, scratch, table, bands, ghosts or blocks, painting (frugal: where scratch is). All has been
+// checked.
+void Texture::lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain) {
   const evolve::Parts& parts = setup.parts;
   recipe_ = recipe;
   paint_ = nullptr;
   domain_ = domain;
+  blocks_ = nullptr;
   rows_seen_ = UINT64_MAX;
-  field_ = setup.memory + parts.planes + parts.table + parts.bands + parts.ghosts + (frugal_ ? 0 : parts.scratch);
+  field_ = setup.memory + parts.planes + parts.table + parts.bands + parts.ghosts + parts.blocks + (frugal_ ? 0 : parts.scratch);
   work_ = field_ + (frugal_ ? 1 : 3) * grid::scratch_bytes(grid::Cell::int16, setup.domain.width, 1);
-  evolve::begin(run_, setup);
 }
 
-Status Texture::step(uint32_t rows) { return evolve::advance(run_, rows) ? more : done; }
+Status Texture::step(uint32_t rows) {
+  return (blocks_ == nullptr ? evolve::advance(run_, rows) : blocks_->advance(*blocks_, run_, rows)) ? more : done;
+}
 
 // Forgets the rows at hand if anything has moved since they were made.
 void Texture::look_again() {
   if (rows_seen_ == run_.rows) return;
   rows_seen_ = run_.rows;
   for (int32_t& held : held_rows_) held = kNone;
-  evolve::forget_rows(run_, work_);
+  if (decided()) evolve::forget_rows(run_, work_);
 }
 
 void Texture::row(uint16_t y, int16_t* out) {
@@ -106,11 +121,13 @@ int16_t* Texture::field_row(int32_t y, int32_t centre) {
   const auto around = [&](int32_t row) { return row == centre || row == folded(centre + 1) || row == folded(centre - 1); };
   for (uint8_t i = 0; i < slots && slot == slots; ++i)
     if (frugal_ || held_rows_[i] == kNone || !around(held_rows_[i])) slot = i;
-  const uint16_t width = run_.domain.width;
+  const uint16_t width = api::with_edge(domain_).width;
   int16_t* const row = reinterpret_cast<int16_t*>(field_ + slot * grid::scratch_bytes(grid::Cell::int16, width, 1) +
                                                   grid::halo_bytes(grid::Cell::int16, 1));
   if (held) return row;
-  if (domain_.plane) {
+  if (!decided()) {
+    for (uint16_t x = 0; x < width; ++x) row[x - 1] = 0;
+  } else if (domain_.plane) {
     evolve::field_row(run_, static_cast<uint16_t>(wanted + 1), row - 1, work_);
   } else {
     evolve::field_row(run_, static_cast<uint16_t>(wanted), row, work_);

@@ -18,7 +18,7 @@ Status Atlas::begin(const Recipe& recipe, const Patches& patches, uint32_t seed,
   uint8_t* const first = base::aligned4(memory);
   for (uint8_t i = 0; i < count_; ++i) {
     const evolve::Ghosts ghosts = {evolve::seal_row, first, wanted.block, nullptr, false, false};
-    texture_[i].ready(recipe, on_patch(patches, i), seed, first + i * wanted.block, options, ghosts);
+    texture_[i].begin_patch(recipe, on_patch(patches, i), seed, first + i * wanted.block, options, ghosts);
   }
   return ok;
 }

@@ -20,10 +20,13 @@ Status Chunks::begin(const Recipe& recipe, uint32_t seed, uint16_t side, uint16_
 
 Status Chunks::start(const Preset* preset, const Recipe* recipe, uint32_t seed, uint16_t side, uint16_t slots,
                      const Brush& brush, void* memory, size_t bytes, const Options& options, ChunkNeed* need) {
+  Options wide = options;
+  wide.kept = api::kept_beside(side, slots);
+  wide.again = false;
   const Need texture = api::need_of_any(side, [&](const Domain& place) {
     Need one{};  // begin without memory checks all the rest, and leaves the texture as it was
-    if (preset != nullptr) texture_.begin(*preset, place, seed, nullptr, 0, options, &one);
-    else texture_.begin(*recipe, place, seed, nullptr, 0, options, &one);
+    if (preset != nullptr) texture_.begin(*preset, place, seed, nullptr, 0, wide, &one);
+    else texture_.begin(*recipe, place, seed, nullptr, 0, wide, &one);
     if (one.status == too_little_memory) one.status = ok;
     return one;
   });
@@ -41,7 +44,7 @@ Status Chunks::start(const Preset* preset, const Recipe* recipe, uint32_t seed, 
   pixel_step_ = wanted.slot - sizeof(api::ChunkSlot);
   memory_ = pixels_ + slots * pixel_step_;
   memory_bytes_ = wanted.working;
-  options_ = options;
+  options_ = wide;
   brush_ = brush;
   seed_ = seed;
   halo_ = wanted.halo;
@@ -142,6 +145,7 @@ void Chunks::open_nearest() {
   const Domain place = window(cx_ * side_, cy_ * side_, side_, side_);
   if (preset_ != nullptr) texture_.begin(*preset_, place, seed_, memory_, memory_bytes_, options_);
   else texture_.begin(*recipe_, place, seed_, memory_, memory_bytes_, options_);
+  options_.again = true;
   work_ = Work::growing;
 }
 

@@ -11,7 +11,8 @@
 //   const uint8_t* pixels = world.pixels(dapple::chunk_at(x, 64), dapple::chunk_at(y, 64));  // null: missing
 //
 // Chunk (cx, cy) holds the cells (cx side, cy side) .. (cx side + side - 1, cy side + side - 1): the bytes of a window
-// grown there, whatever was looked at before, in whatever slices.
+// grown there, whatever was looked at before, in whatever slices. Where windows are in blocks, the memory at work also keeps
+// what is decided for as much of the plane as all slots together show: a bit and a third a cell.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "dapple.hpp"
@@ -67,6 +68,12 @@ struct ChunkSlot {
   bool ready;      // listed, and its pixels are there
 };
 
+// Cells beside a chunk for which decided blocks are kept: as many as all slots in a square.
+constexpr uint16_t kept_beside(uint16_t side, uint16_t slots) {
+  const uint32_t across = base::square_root(slots), cells = across * side;
+  return static_cast<uint16_t>(cells < 32768 ? cells : 32768);
+}
+
 constexpr uint16_t kNoSlot = UINT16_MAX;  // so there are at most 65535 slots
 
 // Rows that share a line of pixels.
@@ -107,7 +114,7 @@ constexpr ChunkNeed need_of_slots(const Need& texture, uint16_t side, uint16_t s
 
 // What `slots` chunks of side x side cells need: constexpr where the recipe is. No slots: too_little_memory.
 constexpr ChunkNeed chunk_need(const Recipe& recipe, uint16_t side, uint16_t slots, Pixels format, uint8_t bands = 1) {
-  const Need texture = api::need_of_any(side, [&](const Domain& d) { return need_for(recipe, d, bands); });
+  const Need texture = api::need_of_any(side, [&](const Domain& d) { return need_for(recipe, d, bands, api::kept_beside(side, slots)); });
   return api::need_of_slots(texture, side, slots, format);
 }
 constexpr ChunkNeed chunk_need(const Preset& preset, uint16_t side, uint16_t slots, Pixels format, uint8_t bands = 1) {

@@ -8,12 +8,14 @@
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
 // The domain is a torus, a window of the endless plane, dapple::window(x, y, width, height), or a patch whose sides are closed,
-// fixed, or joined to each other, dapple::on_patch(patches, 0), which a recipe with sides must have; atlas.hpp grows many patches together.
+// fixed, or joined to each other, dapple::on_patch(patches, 0), which a recipe with sides must have; atlas.hpp grows many
+// patches together. Recipes that run too long for a halo have no plane, but for the threshold family, which decides it in blocks.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "evolve/corners.hpp"
 #include "evolve/field.hpp"
 #include "evolve/ghosts.hpp"
 #include "recipe/presets.hpp"
@@ -28,6 +30,11 @@ constexpr int32_t kVersion = 100;
 struct Options {
   uint8_t bands = 1;                            // 1..64 bands of rows that could run at once; each has its own scratch
   const grid::KernelSwap* kernels = nullptr;    // faster row kernels with the same bytes; null: the portable ones
+  // Windows in blocks: cells beside the window, along either direction, for which there is room to keep what is decided; and
+  // whether the memory is as a texture begun with the same arguments, but for the place, has left it: then that is not decided
+  // again.
+  uint16_t kept = 0;
+  bool again = false;
 };
 
 // What a recipe needs on a domain, and what is wrong if it does not fit.
@@ -39,18 +46,20 @@ struct Need {
   uint16_t multiple;       // sides must be multiples of this
   uint16_t reach;          // largest distance, in cells, of two cells that meet in one sweep
   uint32_t halo;           // cells grown around a window of the plane on every side; at most kWidestHalo
+  uint16_t block;          // side of the blocks that a window is decided in before it is grown, cells; 0: there are none
   uint64_t sweeps;         // over the grid, in all
   uint64_t rows;           // of work in all: what step counts
 };
 
 constexpr uint16_t kWidestHalo = 1024;
+constexpr uint16_t kBlockHalo = 256;  // recipes that have a way in blocks take it beyond this
 
 namespace api {
 
 // A window is grown with one more cell on every side, so that light falls across its edges as if there were none.
 constexpr Domain with_edge(const Domain& d) {
   if (!d.plane) return d;
-  return {static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, d.patches, d.patch};
+  return {static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, nullptr, d.patches, d.patch};
 }
 
 constexpr uint16_t side(int64_t micro) {
@@ -58,12 +67,13 @@ constexpr uint16_t side(int64_t micro) {
   return static_cast<uint16_t>(cells < kSmallestSide ? kSmallestSide : cells > 65535 ? 65535 : cells);
 }
 
-// Two wavelengths of the coarsest-grained stage; one and a half pitches of seeds (two columns, two rows of discs).
-constexpr void smallest(const Recipe& recipe, Need& need) {
+// Two wavelengths of the coarsest-grained stage, three of a corner tile; one and a half pitches of seeds (two columns, two rows
+// of discs).
+constexpr void smallest(const Recipe& recipe, uint8_t lengths, Need& need) {
   int64_t wide = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const int64_t length = (2 * static_cast<int64_t>(s.model->wavelength(s.number))) << (s.model->coarse ? s.level : 0);
+    const int64_t length = (lengths * static_cast<int64_t>(s.model->wavelength(s.number))) << (s.model->coarse ? s.level : 0);
     wide = length > wide ? length : wide;
   }
   int64_t high = wide;
@@ -145,11 +155,39 @@ constexpr Status check_window(const Domain& d, Need& need) {
   return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
+// Whether a stage grows all tiles by the same rule.
+constexpr bool treats_alike(const Stage& s) {
+  return s.solver->sharing != evolve::Sharing::none && (s.solver->alike == nullptr || s.solver->alike(s.number));
+}
+
+// Of corner tiles, which are a square torus: need speaks of all of them, four either way.
+constexpr Status check_corners(const Recipe& recipe, const Domain& domain, Need& need) {
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const Stage& s = recipe.stage[i];
+    if (s.steps == 0 || !treats_alike(s) || s.model->cell != grid::Cell::int16) return no_corners;
+  }
+  smallest(recipe, 3, need);
+  const uint16_t side = need.width > need.height ? need.width : need.height;
+  need.width = need.height = static_cast<uint16_t>(side > 65535 / grid::kTilesAcross ? 65535 : grid::kTilesAcross * side);
+  need.multiple = static_cast<uint16_t>(grid::kTilesAcross * need.multiple);
+  return domain.plane || domain.width != domain.height || domain.x != 0 || domain.y != 0 ? bad_side : ok;
+}
+
+constexpr evolve::Growth growth_of(const Recipe& recipe) { return {&recipe.start, recipe.stage, recipe.stages}; }
+
+// A window in blocks is grown in the reach of its shading.
+constexpr void check_blocks(const Recipe& recipe, Need& need) {
+  if (recipe.blocks == nullptr || need.halo <= kBlockHalo) return;
+  const evolve::BlockShape shape = recipe.blocks->shape(growth_of(recipe));
+  need.block = shape.side;
+  need.halo = shape.halo;
+}
+
 constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands, Need& need) {
   if (!good_stages(recipe)) return bad_recipe;
   if (bands < 1 || bands > kMaxBands) return bad_bands;
   need.multiple = static_cast<uint16_t>(1u << recipe.stage[0].level);
-  smallest(recipe, need);
+  smallest(recipe, 2, need);
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     if (s.solver->accepts == nullptr) continue;
@@ -157,10 +195,15 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
     if (accepted != ok) return accepted;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
-  if (domain.patches != nullptr) return check_patch(recipe, domain, need);
+  if (domain.patches != nullptr) return domain.corners != nullptr ? bad_sides : check_patch(recipe, domain, need);
   if (has_sides(recipe)) return bad_sides;
+  if (domain.corners != nullptr) {
+    const Status status = check_corners(recipe, domain, need);
+    if (status != ok) return status;
+  }
   if (domain.plane) {
     need.halo = halo_of(recipe);
+    check_blocks(recipe, need);
     return check_window(domain, need);
   }
   const bool whole = domain.width % need.multiple == 0 && domain.height % need.multiple == 0 && domain.x % need.multiple == 0 &&
@@ -171,26 +214,48 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 constexpr grid::Ground ground_of(const Domain& domain, const Need& need) {
-  return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.multiple);
+  return grid::ground_of(with_edge(domain), static_cast<uint16_t>(need.halo), need.block != 0 ? 1 : need.multiple);
 }
 
-constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& ground, bool plane, uint8_t bands, Need& need) {
-  uint32_t spent = 0;
+// What corner tiles take of a stage beside its solver's own. A sweep over the rows of a tile stands for one over all of them.
+constexpr void add_corners(const Recipe& recipe, const Stage& stage, const grid::Ground& ground, uint32_t before, Need& need) {
+  uint32_t all = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i) all += recipe.stage[i].steps;
+  const uint32_t sweeps = evolve::corner_sweeps(*stage.solver, stage.steps, before, all, recipe.start.kind);
+  const uint32_t replaced = stage.solver->sharing == evolve::Sharing::reaction ? stage.steps : 0;
+  const uint16_t side = evolve::tile_side(ground, stage.level);
+  need.sweeps += sweeps - replaced;
+  need.rows += static_cast<uint64_t>(sweeps) * side - static_cast<uint64_t>(replaced) * side * grid::kTilesAcross;
+}
+
+constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& ground, const Domain& domain, uint8_t bands, Need& need) {
+  uint32_t spent = 0, steps = 0;
   evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands);
+    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands, domain.corners != nullptr ? evolve::corner_rows(*s.solver) : uint8_t{0});
     const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
-    need.rows += evolve::work_rows(s, *s.model, reach, ground, plane, spent);
+    need.rows += evolve::work_rows(s, *s.model, reach, ground, domain.plane, spent);
     need.sweeps += static_cast<uint64_t>(s.steps) * reach.sweeps + (s.steps > 0 ? reach.once : 0u);
+    if (domain.corners != nullptr) add_corners(recipe, s, ground, steps, need);
+    steps += s.steps;
   }
   if (ground.patches == nullptr) return parts;
   parts.bands = grid::align4(parts.bands);
   parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) &&
                parts.planes <= evolve::kMostGhostBytes;
   return parts;
+}
+
+// The same of a window in blocks.
+constexpr evolve::Parts block_parts_of(const Recipe& recipe, const grid::Ground& ground, uint8_t bands, uint16_t kept, Need& need) {
+  const evolve::BlockNeed blocks = recipe.blocks->need(growth_of(recipe), ground, bands, kept);
+  need.reach = blocks.stride;
+  need.sweeps = blocks.sweeps;
+  need.rows = blocks.rows;
+  return blocks.parts;
 }
 
 // Three rows of the field with a halo of one, and what it takes to make one: the most of any stage.
@@ -207,16 +272,16 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
 // To align the memory to four bytes, and because kernels on one-bit cells read, and ignore, up to two words beyond a row.
 constexpr size_t kSlack = 3 + 2 * sizeof(base::Word);
 
-constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, evolve::Parts& parts) {
+constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, uint16_t kept, evolve::Parts& parts) {
   Need need{};
   need.status = check(recipe, domain, bands, need);
   if (need.status != ok) return need;
   const grid::Ground ground = ground_of(domain, need);
-  parts = parts_of(recipe, ground, domain.plane, bands, need);
+  parts = need.block != 0 ? block_parts_of(recipe, ground, bands, kept, need) : parts_of(recipe, ground, domain, bands, need);
   need.planes = parts.planes;
   need.scratch = parts.scratch;
   need.paint = paint_bytes(recipe, with_edge(domain), ground);
-  need.rest = parts.table + parts.bands + parts.ghosts + kSlack;
+  need.rest = parts.table + parts.bands + parts.ghosts + parts.blocks + kSlack;
   size_t total = 0;
   const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
                     base::add_bytes(total, 1, need.paint) && base::add_bytes(total, 1, need.rest);
@@ -249,16 +314,17 @@ constexpr bool set_surface(Recipe& recipe, const PlaceMaps& maps) {
     s.solver = &evolve::surface;
     s.stored = &maps;
   }
+  recipe.blocks = nullptr;
   return true;
 }
 
-// What `recipe` needs on `domain`: constexpr where the recipe is.
-constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1) {
+// What `recipe` needs on `domain`: constexpr where the recipe is. kept: Options::kept.
+constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
   evolve::Parts parts{};
-  return api::need_of(recipe, domain, bands, parts);
+  return api::need_of(recipe, domain, bands, kept, parts);
 }
-constexpr Need need_for(const Preset& preset, const Domain& domain, uint8_t bands = 1) {
-  return need_for(preset.recipe, domain, bands);
+constexpr Need need_for(const Preset& preset, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
+  return need_for(preset.recipe, domain, bands, kept);
 }
 
 // Bytes of memory begin asks for; 0 for what it refuses.
@@ -284,10 +350,11 @@ struct Fixed {
 };
 
 // frugal: the memory of the sweeps is used again for painting. Then rows and pixels are there once the texture is done, and
-// colours have no light and normal maps no slope.
+// colours have no light and normal maps no slope. Windows in blocks are not for a Fixed.
 constexpr Fixed fixed(const Recipe& recipe, const Domain& domain, bool frugal = false) {
   Fixed f{recipe, domain, Need{}, evolve::Parts{}, grid::Ground{}, frugal};
-  f.need = api::need_of(recipe, domain, 1, f.parts);
+  f.recipe.blocks = nullptr;
+  f.need = api::need_of(f.recipe, domain, 1, 0, f.parts);
   if (f.need.status == ok && domain.patches != nullptr) f.need.status = bad_sides;
   if (f.need.status != ok) return f;
   f.ground = api::ground_of(domain, f.need);
@@ -349,14 +416,16 @@ class Texture {
   void repaint(const Paint* paint) { paint_ = paint; }
 
   const Domain& domain() const { return domain_; }
+  // Whether the field is there, or, in blocks, still to be decided: till then it is flat.
+  bool decided() const { return blocks_ == nullptr || blocks_->doing == evolve::Doing::shading; }
 
  private:
   friend class Atlas;
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
-  void ready(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
-             const evolve::Ghosts& ghosts);
-  void ready(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
+  void begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+                   const evolve::Ghosts& ghosts);
+  void lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   void colour(const Brush& brush, const paint::Source& source, uint8_t* out);
   int16_t* field_row(int32_t y, int32_t centre);
@@ -368,6 +437,7 @@ class Texture {
   uint8_t* field_;          // three rows with a halo of one
   uint8_t* work_;
   uint64_t rows_in_all_;
+  evolve::Blocks* blocks_;  // null: not in blocks
   int32_t held_rows_[3];    // which row a slot holds, as of rows_seen_
   uint64_t rows_seen_;
   bool rom_;

@@ -251,7 +251,7 @@ TEST_CASE("atlas: the first side that does not pair up is named") {
     return std::to_string(need.unpaired.patch) + " " + std::to_string(need.unpaired.side);
   };
   CHECK(first(six, 32, 32) == "");
-  CHECK(first(six, 40, 32) == "0 2");  // the north's lower side is not as long
+  CHECK(first(six, 40, 32) == "1 2");  // the north's right side is not as long
   std::vector<Patch> broken = six;
   broken[3].side[Side::right] = kClosed;
   CHECK(first(broken, 32, 32) == "0 0");

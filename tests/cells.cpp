@@ -65,7 +65,7 @@ Torus grown_from(const Torus& start, uint32_t program, int steps) {
   const dapple::Domain d = dapple::torus(static_cast<uint16_t>(start.width), static_cast<uint16_t>(start.height));
   const grid::Ground ground = {d.width, d.height, 0, 0};
   dapple::Need need{};
-  const evolve::Parts parts = dapple::api::parts_of(recipe, ground, false, 1, need);
+  const evolve::Parts parts = dapple::api::parts_of(recipe, ground, d, 1, need);
   std::vector<uint64_t> memory((parts.planes + parts.scratch + parts.table + parts.bands + 7) / 8);
   evolve::Run run;
   const evolve::Plan plan = {&recipe.start, recipe.stage, 1, false};

@@ -80,6 +80,9 @@ struct Size {
 };
 constexpr Size kGoldenSizes[] = {{128, 128}, {160, 96}, {97, 113}};
 constexpr uint32_t kGoldenSeed = 1337;
+// Of presets whose windows are in blocks.
+constexpr dapple::Domain kGoldenWindows[] = {dapple::window(-37, 90, 96, 80), dapple::window(100000, -100000, 64, 64)};
+inline bool in_blocks(const dapple::Recipe& recipe) { return dapple::need_for(recipe, kGoldenWindows[0]).block != 0; }
 
 // A size the recipe can have: its sides rounded up to what its coarsest grid asks for.
 inline Size fitting(Size size, const dapple::Recipe& recipe) {

@@ -16,7 +16,7 @@ using tests::Grown;
 
 namespace {
 
-const char* const kMaps[] = {"none", "radial", "scallop", "haunch", "two-angle", "swirl", "bends"};
+const char* const kMaps[] = {"none", "radial", "scallop", "haunch", "two-angle", "swirl", "bends", "corners"};
 
 std::string recipe_with(const char* map, const char* numbers) {
   return std::string("mapped map=") + map + " " + numbers;

@@ -283,7 +283,7 @@ Planes library_run(const Toy& t, const Path& path, tests::Size size, uint32_t se
   const dapple::Domain domain = dapple::torus(size.width, size.height);
   const grid::Ground ground = {size.width, size.height, 0, 0};
   dapple::Need need{};
-  const evolve::Parts parts = dapple::api::parts_of(recipe, ground, false, bands, need);
+  const evolve::Parts parts = dapple::api::parts_of(recipe, ground, domain, bands, need);
   std::vector<uint64_t> memory((parts.planes + parts.scratch + parts.table + parts.bands + 7) / 8);
   const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
   evolve::Run run;

@@ -24,12 +24,16 @@ static stencil::DirectionMap::Kind kind_of(int32_t map) {
     case mapped::swirl:
     case mapped::bends:
       return DirectionMap::swirl;
+    case mapped::corners:
+      return DirectionMap::corners;
     case mapped::image:
       return DirectionMap::image;
     default:
       return DirectionMap::none;
   }
 }
+
+constexpr int32_t kMostBend = 900000;  // corners: between two colours, of 90 degrees; beyond, halfway vectors vanish
 
 static void make_map(const Context& context, stencil::DirectionMap& m) {
   const int32_t* number = context.number;
@@ -50,6 +54,10 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
   place_field(context, base::max(distance, 2), m.field);
   m.field.kind = number[mapped::map] == mapped::swirl ? stencil::vectors : stencil::scalars;
   m.field.bend = 5325;  // 1.3 turns
+  const uint16_t turn =
+      static_cast<uint16_t>(base::divide_round(base::min(static_cast<int32_t>(detail), kMostBend) * INT64_C(16384), base::kMicro));
+  m.c2 = static_cast<int16_t>(base::cosine(turn) >> 3);
+  m.s2 = static_cast<int16_t>(base::sine(turn) >> 3);
   stencil::set_images(m, context.stored);
   stencil::set_patches(m, patches);
   m.patch = context.ground->patch;

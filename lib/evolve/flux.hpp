@@ -158,8 +158,15 @@ void prepare_lean_flux(const Context& context);
 void prepare_styled(const Context& context);
 void prepare_surface(const Context& context);
 
-inline constexpr Solver flux DAPPLE_ROM = {flux_reach, flux_next, prepare_flux, nullptr, accepts_map};
-inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next, prepare_lean_flux, nullptr, accepts_map};
+// Other maps say where in the tile a direction is, which differs from tile to tile.
+constexpr bool follows_corners(const int32_t* number) {
+  return number[mapped::map] == mapped::corners || number[mapped::map] == mapped::none;
+}
+
+inline constexpr Solver flux DAPPLE_ROM = {flux_reach,  flux_next,         prepare_flux, nullptr,
+                                           accepts_map, Sharing::reaction, 1,            follows_corners};
+inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next,         prepare_lean_flux, nullptr,
+                                                accepts_map,     Sharing::reaction, 1,                 follows_corners};
 inline constexpr Solver styled DAPPLE_ROM = {styled_reach, flux_next, prepare_styled, nullptr, accepts_styles};
 inline constexpr Solver surface DAPPLE_ROM = {surface_reach, flux_next, prepare_surface, nullptr, accepts_surface};
 

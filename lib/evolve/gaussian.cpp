@@ -4,8 +4,8 @@
 
 namespace dapple::evolve {
 
-static void react_sweep(const Context& context, Cursor& cursor, Sweep& sweep) {
-  sweep.row = grid::choose(context.kernels, context.model->impulse);
+static void first_sweep(const Context& context, Cursor& cursor, Sweep& sweep, grid::RowKernel row) {
+  sweep.row = grid::choose(context.kernels, row);
   sweep.first = 0;
   sweep.count = context.model->planes(context.number);
   sweep.radius = 0;
@@ -16,9 +16,9 @@ static void react_sweep(const Context& context, Cursor& cursor, Sweep& sweep) {
 }
 
 // Turns to a new plane: its reduction is made afresh, which is cheap beside a sweep and needs no memory.
-static void open_plane(const Context& context, Cursor& cursor) {
+static void open_plane(const Context& context, Cursor& cursor, int32_t length) {
   const grid::Tensor tensor = context.model->tensor(context.number, cursor.plane);
-  cursor.lattice = stencil::lattice_of(grid::at_level(tensor, context.level));
+  cursor.lattice = stencil::lattice_of(grid::over(grid::at_level(tensor, context.level), length));
   cursor.direction = 0;
   if (cursor.lattice.count > 0) cursor.series = stencil::series_of(cursor.lattice.direction[0].share, 0);
 }
@@ -33,17 +33,17 @@ static void chain_sweep(const Context& context, Cursor& cursor, const stencil::D
   }
 }
 
-bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+bool passes_next(const Context& context, Cursor& cursor, Sweep& sweep, grid::RowKernel row, int32_t length) {
   if (cursor.sweep++ == 0) {
-    react_sweep(context, cursor, sweep);
-    open_plane(context, cursor);
+    first_sweep(context, cursor, sweep, row);
+    open_plane(context, cursor, length);
     return true;
   }
   sweep.count = 1;
   for (;;) {
     if (cursor.direction == cursor.lattice.count) {
       if (++cursor.plane >= context.model->planes(context.number)) return false;
-      open_plane(context, cursor);
+      open_plane(context, cursor, length);
       continue;
     }
     const stencil::Direction& d = cursor.lattice.direction[cursor.direction];
@@ -67,6 +67,10 @@ bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep) {
     sweep.p[2] = pass.rounding;
     return true;
   }
+}
+
+bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  return passes_next(context, cursor, sweep, context.model->impulse, grid::kOneVariance);
 }
 
 }  // namespace dapple::evolve

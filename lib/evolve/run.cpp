@@ -1,6 +1,6 @@
 // The stepper: an explicit state machine over phases, stages, steps, sweeps, bands and rows.
 // SPDX-License-Identifier: MIT
-#include "run.hpp"
+#include "corners.hpp"
 
 namespace dapple::evolve {
 
@@ -39,6 +39,7 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.solver = rom_load(run.stage.solver);
   run.step = 0;
   run.cursor.sweep = 0;
+  run.cursor.part = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
   run.field_radius = 0;
@@ -108,8 +109,12 @@ DAPPLE_APART static void start_one_row(Run& run) {
                               run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed};
   const uint8_t planes = run.model.planes(run.stage.number);
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
-  const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
-  start.row(place, start, levels, run.at_plane, run.at_row, row);
+  if (run.domain.corners != nullptr) {
+    rom_load(run.domain.corners).start_row(place, start, run.solver, context_of(run), run.at_plane, run.at_row, row);
+  } else {
+    const grid::Levels levels = run.model.levels(run.stage.number, run.at_plane);
+    start.row(place, start, levels, run.at_plane, run.at_row, row);
+  }
   if (++run.at_row < run.field.height) return;
   run.at_row = 0;
   if (++run.at_plane == planes) end_part(run, false);
@@ -125,12 +130,13 @@ DAPPLE_APART static void refine_one_row(Run& run) {
   end_part(run, false);
 }
 
-// On the plane, what a sweep need not compute: the part of the halo that is used up once the step is done.
+// On the plane, what the sweeps of a step need not compute: the part of the halo that is used up once the step is done.
 static void set_margin(Run& run, bool first) {
+  if (!first) return;
   run.sweep.margin = 0;
   if (!run.domain.plane || run.ground.patches != nullptr) return;
   const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
-  if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
+  run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
   if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
 }
 
@@ -139,6 +145,12 @@ static void seal_one_row(Run& run) {
   if (++run.at_row < run.field.height) return;
   run.ghosts.made = true;
   end_part(run, true);
+}
+
+static bool next_sweep(Run& run) {
+  run.sweep.tile = 0;
+  if (run.domain.corners == nullptr) return run.solver.next(context_of(run), run.cursor, run.sweep);
+  return rom_load(run.domain.corners).next(context_of(run), run.solver, load_start(run.plan), run.cursor, run.sweep);
 }
 
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.
@@ -151,7 +163,7 @@ DAPPLE_APART static void open_sweep(Run& run) {
     return;
   }
   const bool first = run.cursor.sweep == 0;
-  if (run.solver.next(context_of(run), run.cursor, run.sweep)) {
+  if (next_sweep(run)) {
     run.at_band = 0;
     set_margin(run, first);
     begin_sweep(run.field, run.sweep, run.band);

@@ -92,15 +92,18 @@ struct Parts {
   size_t planes, scratch, table, bands;
   bool fits;
   bool frugal = false;  // scratch comes last, so that it may be used for something else in the end
-  size_t ghosts = 0;    // behind the bands
+  size_t blocks = 0;    // of windows in blocks
+  size_t ghosts = 0;    // of patches, behind the bands
 };
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
 
-// Adds what a stage needs to the parts.
-constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands) {
+// Adds what a stage needs to the parts: `rows16` more work rows than its solver asks for.
+constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands,
+                         uint8_t rows16 = 0) {
   const uint16_t width = at_level(d.width, stage.level);
-  const Reach reach = solver.reach(model, stage.number, stage.level, stage.stored);
+  Reach reach = solver.reach(model, stage.number, stage.level, stage.stored);
+  reach.rows16 = static_cast<uint8_t>(reach.rows16 + rows16);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
   const uint16_t height = at_level(d.height, stage.level);
@@ -151,7 +154,7 @@ struct Setup {
   const grid::KernelSwap* kernels;
   uint32_t seed;
   uint8_t bands;
-  Ghosts ghosts;
+  Ghosts ghosts = {};
 };
 void begin(Run& run, const Setup& setup);
 

@@ -20,6 +20,7 @@ struct Sweep {
   uint16_t halo;            // cells
   int32_t p[kMaxValues];    // handed to the kernel
   uint16_t margin = 0;      // rows and cells at every edge of the grid that are left as they are (windows of the plane)
+  uint16_t tile = 0;        // corner tiles: only rows y < tile are visited; the kernel does y + tile k, k = 0..3, of them
 };
 
 // Where a solver is within one time step. Plain state: it can be copied and resumed.
@@ -28,6 +29,7 @@ struct Cursor {
   uint8_t plane, direction;   // gaussian: what comes next
   stencil::PassSeries series;
   stencil::Lattice lattice;
+  uint8_t part;               // corner tiles: of the step, see corners.cpp
 };
 
 // What a solver is asked about: a model with its numbers on a grid coarser by 2^level.
@@ -63,6 +65,13 @@ struct Reach {
   uint16_t span = 0;         // how far, in cells, one sweep carries what a cell holds; 0: `stride`
 };
 
+// What corner tiles agree on while they grow.
+enum class Sharing : uint8_t {
+  none,      // cannot be
+  reaction,  // the solver has a sweep of the model's `impulse` alone: the tiles decide together where it is on
+  state,     // the planes are blended now and then
+};
+
 struct Solver {
   Reach (*reach)(const Model& model, const int32_t* number, uint8_t level, const void* stored);
   // Fills `sweep` with the next sweep of this step; false when the step is complete. cursor.sweep == 0 begins a step.
@@ -74,6 +83,9 @@ struct Solver {
   grid::RowKernel field = nullptr;
   // ok where Stage::stored is what these numbers need on that domain; null: nothing is wanted.
   Status (*accepts)(const int32_t* number, const void* stored, const Domain& domain) = nullptr;
+  Sharing sharing = Sharing::none;
+  uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
+  bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.
@@ -90,10 +102,11 @@ inline void window_sweep(const Context& context, uint8_t radius, grid::RowKernel
 constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
 
 // --- gaussian: impulse splitting, eq. (12). One reaction, then the Gaussian of a whole macro step on every plane. ---
-constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
+// length: of the step, Q16 macro steps.
+constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t level, int32_t length) {
   Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0, 0};
   for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
-    const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));
+    const stencil::Lattice lattice = stencil::lattice_of(grid::over(grid::at_level(model.tensor(number, plane), level), length));
     uint16_t spread = 0;
     for (uint8_t i = 0; i < lattice.count; ++i) {
       const stencil::Direction& d = lattice.direction[i];
@@ -118,8 +131,13 @@ constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_
   reach.span = wider(reach.span, reach.stride);
   return reach;
 }
+constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
+  return passes_reach(model, number, level, grid::kOneVariance);
+}
+// After a first sweep `row` over all planes, the passes of a step of that length; the model's values are in sweep.p.
+bool passes_next(const Context& context, Cursor& cursor, Sweep& sweep, grid::RowKernel row, int32_t length);
 bool gaussian_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next};
+inline constexpr Solver gaussian DAPPLE_ROM = {gaussian_reach, gaussian_next, nullptr, nullptr, nullptr, Sharing::reaction};
 
 // --- euler: the explicit step of eq. (5), all planes in one sweep; sub-steps per macro step as stability asks. -------
 // b dt = 1/2 is divided by m so that dt (4 tr A + b) <= 1.7, beyond which the threshold feeds the checkerboard.
@@ -139,7 +157,7 @@ constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t l
   return {planes, 1, 1, model.work_rows, planes, 0, steps, 1, static_cast<uint16_t>(3 * planes), steps};
 }
 bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next};
+inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next, nullptr, nullptr, nullptr, Sharing::state, 1};
 
 // --- kinetic: one explicit step of dt = 1 with the five-point stencil in int16. -------------------------------------
 constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
@@ -147,7 +165,7 @@ constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t
   return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
-inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next};
+inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next, nullptr, nullptr, nullptr, Sharing::state, 16};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------
 constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t, const void*) {

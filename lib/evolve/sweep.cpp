@@ -64,7 +64,7 @@ static void save_edges(const Field& field, const Sweep& sweep, const Windows& w,
 // The first position of band `index`; of one past the last: the end. A margin is left out, which only sweeps over
 // neighbouring rows have.
 static uint16_t first_of(const Field& field, const Sweep& sweep, uint8_t index) {
-  const uint32_t rows = static_cast<uint32_t>(field.height) - 2u * sweep.margin;
+  const uint32_t rows = sweep.tile > 0 ? sweep.tile : static_cast<uint32_t>(field.height) - 2u * sweep.margin;
   return static_cast<uint16_t>(sweep.margin + rows * index / field.bands);
 }
 

@@ -3,6 +3,10 @@
 #pragma once
 #include "patch.hpp"
 
+namespace dapple::evolve {
+struct Corners;
+}
+
 namespace dapple {
 
 constexpr uint16_t kSmallestSide = 8;  // cells of a domain, either direction; the largest side is 65535
@@ -12,12 +16,14 @@ constexpr uint16_t kSmallestSide = 8;  // cells of a domain, either direction; t
 // coarsest grid asks of the sides.
 // A window shows the cells (x, y) .. (x + width - 1, y + height - 1) of the infinite plane; it holds the same bits as that
 // part of any other window. Its cells lie within -kFarthest .. kFarthest.
+// Corner tiles are a torus too, a square one of 4 x 4 tiles that agree where they may meet: see corners.hpp.
 // A patch ends at its sides.
 struct Domain {
   uint16_t width, height;
   int32_t x, y;
-  bool plane;                        // a window, or a patch
-  const Patches* patches = nullptr;  // patch `patch` of these
+  bool plane;                                // a window, or a patch
+  const evolve::Corners* corners = nullptr;  // what makes tiles agree: firmware without them links none of it
+  const Patches* patches = nullptr;          // patch `patch` of these
   uint8_t patch = 0;
 };
 
@@ -29,7 +35,7 @@ constexpr Domain window(int32_t x, int32_t y, uint16_t width, uint16_t height) {
 constexpr Domain on_patch(Patches&& all, uint8_t patch) = delete;  // would dangle
 constexpr Domain on_patch(const Patches& all, uint8_t patch) {
   const bool there = patch < all.count && all.count <= kMostPatches;
-  return {all.width, all.height, there ? all.patch[patch].x : 0, there ? all.patch[patch].y : 0, true, &all, patch};
+  return {all.width, all.height, there ? all.patch[patch].x : 0, there ? all.patch[patch].y : 0, true, nullptr, &all, patch};
 }
 
 }  // namespace dapple

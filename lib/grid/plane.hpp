@@ -20,6 +20,14 @@ constexpr Tensor at_level(const Tensor& t, uint8_t level) {
           static_cast<int32_t>(base::divide_round(t.yy, square))};
 }
 
+// The tensor of `length` steps, Q16: any length up to 16.
+constexpr Tensor over(const Tensor& t, int32_t length) {
+  const auto times = [&](int32_t variance) {
+    return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(variance) * length, kOneVariance));
+  };
+  return {times(t.xx), times(t.xy), times(t.yy)};
+}
+
 // Values of the start, in the model's own format.
 struct Levels {
   int32_t background, disc;  // seeds: outside and inside the discs (at full amplitude)

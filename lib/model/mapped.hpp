@@ -11,7 +11,7 @@ using namespace threshold;
 constexpr uint8_t map = diffusion, detail = threshold::slots;
 static_assert(detail + 1 <= kMaxNumbers, "one slot more than the family's own");
 
-enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, image, isotropic_pairs, kinds };
+enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, corners, image, isotropic_pairs, kinds };
 
 constexpr int32_t kMostPairs = 4;
 constexpr int32_t kDetail[2] = {10000, 1000000};
@@ -19,7 +19,7 @@ constexpr int32_t kDetail[2] = {10000, 1000000};
 inline constexpr Number numbers[] = {
     {Number::integer, "pairs", 1, kMostPairs, 1, nullptr, "activator-inhibitor pairs"},
     {Number::word, "react", 0, 1, 0, "md|da", "md: max of differences (14); da: difference of abs (15)"},
-    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|image|isotropic",
+    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|corners|image|isotropic",
      "direction of every place of the tile; isotropic: none, whatever stretch says"},
     threshold::numbers[3],
     threshold::numbers[4],
@@ -28,7 +28,7 @@ inline constexpr Number numbers[] = {
     threshold::numbers[7],
     threshold::numbers[8],
     {Number::decimal, "detail", kDetail[0], kDetail[1], 250000, nullptr,
-     "of the tile's width: softness of a radial centre, width of a scallop, distance of a swirl's nodes"},
+     "of the tile's width: softness of a radial centre, width of a scallop, distance of a swirl's nodes; corners: of 90 degrees"},
 };
 
 constexpr bool in_range(const int32_t* number) {
@@ -49,5 +49,6 @@ inline constexpr Model mapped_model DAPPLE_ROM = {grid::Cell::int16,     0,
                                                   threshold::wavelength, threshold::cell_level,
                                                   threshold::values,     threshold::impulse_row,
                                                   threshold::react_row,  nullptr,
-                                                  threshold::field_row};
+                                                  threshold::field_row,  false,
+                                                  threshold::decided_row};
 }  // namespace dapple

@@ -32,6 +32,7 @@ struct Model {
   grid::RowKernel window;         // a whole step: in[plane * (2 radius + 1) + k] rows y - radius + k; out[plane]
   grid::RowKernel field;          // in[plane] rows; out[0] the int16 field of n cells from x on
   bool coarse = false;            // lengths are in cells of the stage's own grid, which may stay coarser than the picture
+  grid::RowKernel decided = nullptr;  // `impulse` where in[0] says what `field` would: the reaction is decided elsewhere
 };
 
 // One number of a recipe, for text, ranges and user interfaces. Values are in 1/kMicro, but for integer and word.

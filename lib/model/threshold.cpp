@@ -83,6 +83,50 @@ void impulse_row(const grid::Rows& rows) {
   for (uint8_t i = 0; i < rows.planes; ++i) decay(out16(rows, i), most, rows.n);
 }
 
+void decided_row(const grid::Rows& rows) {
+  i16* const amount = reinterpret_cast<i16*>(rows.scratch);
+  base::copy_bytes(amount, rows.in[0], static_cast<size_t>(rows.n) * 2);
+  switch_on(amount, rows.n, static_cast<i16>(rows.p[2]), static_cast<i16>(rows.p[3]));
+  for (uint8_t i = 0; i < rows.planes; ++i) decay(out16(rows, i), amount, rows.n);
+}
+
+static Given given_of(const grid::Rows& rows) {
+  const Given* given = nullptr;
+  base::copy_bytes(&given, rows.table, sizeof given);
+  return *given;
+}
+
+// A row of bits as amounts.
+static void amounts(const uint8_t* DAPPLE_RESTRICT bits, i16* DAPPLE_RESTRICT out, uint16_t n, i16 amount) {
+  const uint16_t whole = static_cast<uint16_t>(n & ~7u);
+  for (uint16_t x = 0; x < whole; x = static_cast<uint16_t>(x + 8))
+    for (uint8_t k = 0; k < 8; ++k) out[x + k] = (bits[x >> 3] >> k & 1) != 0 ? amount : static_cast<i16>(0);
+  for (uint16_t x = whole; x < n; ++x) out[x] = grid::get_bit(bits, x) ? amount : static_cast<i16>(0);
+}
+
+void given_row(const grid::Rows& rows) {
+  const Given given = given_of(rows);
+  const int32_t* p = rows.p;
+  const i16 amount = static_cast<i16>(p[3]);
+  i16* most = reinterpret_cast<i16*>(rows.scratch);
+  amounts(given.bits + static_cast<size_t>(rows.y) * given.row_bytes, most, rows.n, amount);
+  if (rows.y >= given.top && rows.y < given.bottom) {
+    const uint16_t width = static_cast<uint16_t>(given.right - given.left);
+    const i16* plane[grid::kMaxPlanes];
+    for (uint8_t i = 0; i < rows.planes; ++i) plane[i] = out16(rows, i) + given.left;
+    shade(plane, p[0], p[1], most + given.left, most + rows.n, width);
+    switch_on(most + given.left, width, static_cast<i16>(p[2]), amount);
+  }
+  for (uint8_t i = 0; i < rows.planes; ++i) decay(out16(rows, i), most, rows.n);
+}
+
+void add_row(const grid::Rows& rows) {
+  const Given given = given_of(rows);
+  i16* most = reinterpret_cast<i16*>(rows.scratch);
+  amounts(given.bits + static_cast<size_t>(rows.y) * given.row_bytes, most, rows.n, static_cast<i16>(rows.p[3]));
+  for (uint8_t i = 0; i < rows.planes; ++i) add(out16(rows, i), most, rows.n);
+}
+
 // |rho| <= 1600 + 8 * 128; amount (share + 1) <= 3147 * 256.
 static void switch_styled(i16* DAPPLE_RESTRICT field, const i16* DAPPLE_RESTRICT style, uint16_t n, i16 rho, i16 amount) {
   for (uint16_t x = 0; x < n; ++x) {

@@ -95,9 +95,21 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
   p[4] = to_unit(strength);
 }
 
+// The reaction given as bits instead, on a whole grid: row y at bits + y row_bytes; but for a rectangle, where it lives.
+struct Given {
+  const uint8_t* bits;
+  uint16_t row_bytes, left, right, top, bottom;
+};
+
+// rows.table holds the address of a Given. given_row: impulse_row with the reaction given; add_row: C' = C + (bit ? p[3] : 0),
+// the rectangle too; C <= 16000 as long as what is added sums up to no more.
+void given_row(const grid::Rows& rows);
+void add_row(const grid::Rows& rows);
+
 void impulse_row(const grid::Rows& rows);
 // The same with a style for every cell, in the last plane: steps of kUnit / 1000 on rho in its high byte, the share of k in its low one.
 void impulse_styled_row(const grid::Rows& rows);
+void decided_row(const grid::Rows& rows);
 void react_row(const grid::Rows& rows);
 void field_row(const grid::Rows& rows);
 
@@ -108,5 +120,5 @@ inline constexpr Model threshold_model DAPPLE_ROM = {
     grid::Cell::int16,        0,                      threshold::kUnit,    2,
     threshold::in_range,      threshold::planes,      threshold::tensor,      threshold::levels,   threshold::wavelength,
     threshold::cell_level,    threshold::values,      threshold::impulse_row, threshold::react_row,
-    nullptr,                  threshold::field_row};
+    nullptr,                  threshold::field_row,     false,               threshold::decided_row};
 }  // namespace dapple

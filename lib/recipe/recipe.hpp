@@ -1,6 +1,7 @@
 // A recipe: start, stages, paint. And the families it can be made of; adding a model adds one line to `families`.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "../evolve/blocks.hpp"
 #include "../evolve/convolution.hpp"
 #include "../evolve/flux.hpp"
 #include "../evolve/refine.hpp"
@@ -24,6 +25,7 @@ struct Recipe {
   Paint paint;
   uint8_t stages;
   Stage stage[kMaxStages];
+  const evolve::BlockWork* blocks;  // how windows of the plane that a halo would be too wide for are grown; null: not at all
   Sides sides;
 };
 
@@ -70,6 +72,7 @@ struct Family {
   bits::Living (*living)(const int32_t* number) = any_number;   // the thresholds rho between which a pattern lives
   bits::Living (*lengths)(const int32_t* number) = any_number;  // the range of scale, where it depends on other numbers
   int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
+  const evolve::BlockWork* blocks = nullptr;
 };
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
@@ -77,7 +80,7 @@ template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n;
 inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
      {&evolve::gaussian, &evolve::euler}, 32,
-     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
+     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
     {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled|surface",
      {&evolve::flux, &evolve::lean_flux, &evolve::styled, &evolve::surface}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},

@@ -282,6 +282,7 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   recipe.paint.low = f.low;
   recipe.paint.high = f.high;
   recipe.stages = 1;
+  recipe.blocks = f.blocks;
   Stage& stage = recipe.stage[0];
   stage.model = f.model;
   stage.solver = f.solvers[0];

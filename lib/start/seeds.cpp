@@ -1,12 +1,9 @@
 // Seed discs on a jittered diamond grid that closes on the torus and goes on for ever on the plane.
 // SPDX-License-Identifier: MIT
 #include "../base/hash.hpp"
-#include "../base/math.hpp"
-#include "start.hpp"
+#include "discs.hpp"
 
 namespace dapple::start {
-
-constexpr uint32_t kJitterX = 64, kJitterY = 65;  // hash streams
 
 static void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
   switch (place.cell) {
@@ -16,10 +13,8 @@ static void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
   }
 }
 
-// U * jitter / 2 in units of 1/256 of a cell when `spacing` is (Q8): |result| <= jitter * spacing.
-static int64_t shake(uint32_t h, int32_t jitter, int64_t spacing) {
-  const int64_t unit = static_cast<int64_t>(h >> 16) - 32768;  // U * 32768
-  return ((unit * jitter / base::kMicro) * spacing) >> 15;
+void clear_row(const Place& place, const Levels& levels, void* row) {
+  for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
 }
 
 // Cells first..last of the world that lie in this row.
@@ -35,27 +30,33 @@ static void fill_span(const Place& place, void* row, int64_t first, int64_t last
     set_cell(place, row, static_cast<uint16_t>(world(static_cast<int32_t>(x - place.x), place.width, place.plane)), value);
 }
 
-// floor(a / b), b > 0.
-static int64_t floor_divide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+int64_t half_chord(const Place& place, const Start& start, int64_t high, int64_t centre_y, int64_t y) {
+  const int64_t radius = (static_cast<int64_t>(start.radius) * 256 / base::kMicro) >> place.level;
+  int64_t dy = y - centre_y;
+  if (!place.plane) {  // to the nearest image on the torus
+    dy %= high;
+    if (dy < 0) dy += high;
+    if (dy > high / 2) dy -= high;
+  }
+  if (dy > radius || dy < -radius) return -1;
+  return base::square_root64(static_cast<uint64_t>(radius * radius - dy * dy));
+}
+
+// Cell x has its centre at 256 x + 128: first = ceil, last = floor.
+void fill_chord(const Place& place, int64_t centre_x, int64_t half, int32_t value, void* row) {
+  fill_span(place, row, (centre_x - half - 128 + 255) >> 8, (centre_x + half - 128) >> 8, value);
+}
 
 // A disc of lattice place (i, j), seen in the row of cells whose centre line is y (1/256 cell).
 static void disc_row(const Place& place, const Start& start, const DiscGrid& discs, int32_t i, int32_t j, int64_t y, int32_t value, void* row) {
-  const int64_t radius = (static_cast<int64_t>(start.radius) * 256 / base::kMicro) >> place.level;
   const int64_t rows = place.plane ? 1 : discs.rows, columns = place.plane ? 1 : discs.columns;
   const int64_t centre_y = floor_divide((2 * static_cast<int64_t>(j) + 1) * discs.high, 2 * rows) +
                            shake(base::hash(place.seed, kJitterY, i, j), start.jitter, discs.high / rows);
-  int64_t dy = y - centre_y;
-  if (!place.plane) {  // to the nearest image on the torus
-    dy %= discs.high;
-    if (dy < 0) dy += discs.high;
-    if (dy > discs.high / 2) dy -= discs.high;
-  }
-  if (dy > radius || dy < -radius) return;
+  const int64_t half = half_chord(place, start, discs.high, centre_y, y);
+  if (half < 0) return;
   const int64_t centre_x = floor_divide((4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * discs.wide, 4 * columns) +
                            shake(base::hash(place.seed, kJitterX, i, j), start.jitter, discs.wide / columns);
-  const int64_t half = base::square_root64(static_cast<uint64_t>(radius * radius - dy * dy));
-  // Cell x has its centre at 256 x + 128: first = ceil, last = floor.
-  fill_span(place, row, (centre_x - half - 128 + 255) >> 8, (centre_x + half - 128) >> 8, value);
+  fill_chord(place, centre_x, half, value, row);
 }
 
 // The lattice places whose discs may reach the stretch from..to (1/256 cells) of the plane.
@@ -68,11 +69,10 @@ static Span near(int64_t from, int64_t to, int64_t spacing, int64_t radius, int3
 }
 
 void seeds_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
-  for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
+  clear_row(place, levels, row);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
-  const int32_t value = levels.background + static_cast<int32_t>(base::divide_round(
-      static_cast<int64_t>(levels.disc - levels.background) * start.amplitude, base::kMicro));
+  const int32_t value = disc_value(start, levels);
   Span rows = {0, discs.rows - 1}, columns = {0, discs.columns - 1};
   if (place.plane) {
     const int64_t radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;

@@ -30,6 +30,10 @@ void noise_row(const Place& place, const Start& start, const grid::Levels& level
 //   ((i + 1/4 + 1/2 (j odd)) + jitter U) * spacing,  ((j + 1/2) + jitter U') * spacing,   U in [-1, 1),
 // and cover the cells whose centre is at most the radius away; both planes of a pair get the same discs.
 void seeds_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+// Of corner tiles, the place being all sixteen: every tile has columns x rows discs as disc_grid says of one of its size, at
+//   ((i + 1/2 (j odd)) + jitter U) * spacing,  (j + jitter U') * spacing,
+// and discs that may touch the `band` cells at an edge move alike in all the tiles that share it.
+void corner_seeds_row(const Place& place, const Start& start, const grid::Levels& levels, uint16_t band, uint16_t y, void* row);
 
 }  // namespace start
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "maps.hpp"
 
+#include "../grid/corners.hpp"
+
 namespace dapple::stencil {
 
 static int32_t folded(int32_t i, int32_t size) {
@@ -56,6 +58,21 @@ static Doubled two_angle(uint8_t index, uint16_t u, uint16_t v) {
     return turned(static_cast<uint16_t>(((sine(a) * sine(b)) >> 14) + ((sine(a + b) * 8344) >> 15)));
   const int32_t waves = sine(2 * a - b) + sine(a + 2 * b + 0x4000u);  // .9 / pi of them
   return turned(static_cast<uint16_t>(0x8000 + (((waves >> 1) * 18775) >> 14)));
+}
+
+// Smoothstep of t, Q12.
+static int32_t smooth(int32_t t) { return (((t * t) >> 12) * (3 * 4096 - 2 * t)) >> 12; }
+
+// Of colour 1 at the four corners, bilinear, Q12: 0 or 4096 at a corner.
+static Doubled bent_by_corners(const DirectionMap& m, uint16_t u, uint16_t v) {
+  const uint8_t i = static_cast<uint8_t>(u >> 14), j = static_cast<uint8_t>(v >> 14);
+  const int32_t x = smooth((u & 16383) >> 2), y = smooth((v & 16383) >> 2);
+  const auto colour = [&](uint8_t right, uint8_t below) {
+    return static_cast<int32_t>(grid::corner_colour(static_cast<uint8_t>(i + right), static_cast<uint8_t>(j + below)));
+  };
+  const int32_t above = colour(0, 0) * (4096 - x) + colour(1, 0) * x, under = colour(0, 1) * (4096 - x) + colour(1, 1) * x;
+  const int32_t weight = (above * (4096 - y) + under * y) >> 12;
+  return unit_of(m.c2, (m.s2 * (2 * weight - 4096)) >> 12);
 }
 
 // The discs that may hold cells of a row, the lowest first. Lengths in Q12 of a disc's pitch.
@@ -168,6 +185,9 @@ void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_
         break;
       case DirectionMap::two_angle:
         d = two_angle(index, u, v);
+        break;
+      case DirectionMap::corners:
+        d = bent_by_corners(m, u, v);
         break;
       default:
         break;

@@ -43,12 +43,13 @@ constexpr uint8_t kMostMaps = 2;
 
 // The numbers of a map, from which a row is made.
 struct DirectionMap {
-  enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, image } kind;
+  enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, corners, image } kind;
   uint16_t width, height;                    // cells of the period
   uint16_t rows;                             // of the grid
   int32_t x, y;                              // the world's cell at (0, 0) of the grid
   int32_t core;                              // radial: (r0 / 2)^2, Q20
   uint16_t across, down;                     // scallop: discs, rows of them (even)
+  int16_t c2, s2;                            // corners: the doubled direction of colour 1, that of colour 0 is (c2, -s2); Q12
   DirectionField field;                      // swirl
   uint8_t images[sizeof(const PlaceMaps*)];  // where the caller's are; tables are aligned to four bytes only
   uint8_t patches[sizeof(const Patches*)];   // where the patches are; null: a torus or window
@@ -84,6 +85,8 @@ constexpr int16_t packed(Doubled d) {
 //   degrees apart, weights ((1 + cos) / 2)^8 of u + .1 sin 2 pi v less their third: chevrons two_angle  theta1 = pi sin
 //   2 pi u sin 2 pi v + .4 sin 2 pi (u + v),
 //              theta2 = pi/2 + .9 sin 2 pi (2 u - v) + .9 cos 2 pi (u + 2 v)
+//   corners    from the four colours around a place of a tile of corner tiles, four of which are the period: directions +-
+//              theta, doubled vectors blended with weights 3 t^2 - 2 t^3, whose slope at an edge is 0
 // u, v are the cell's centre in periods.
 void map_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
 

@@ -1,5 +1,5 @@
 // Grows every preset, and every family with each of its solvers, at the smallest size for a few steps, also coarse to fine
-// and as a window of the plane; sliced, banded and out of unclean memory at odd addresses; and paints it in every way.
+// as a window of the plane and as corner tiles; sliced, banded and out of unclean memory at odd addresses; and paints it in every way.
 // Prints one line each: name WxH steps seed field pixels. tests/checks/hostile.sh compares what many compilers and
 // options make of it.
 // SPDX-License-Identifier: MIT
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "../grow.hpp"
+#include "corners.hpp"
 
 namespace {
 
@@ -171,6 +172,25 @@ int try_families() {
   return wrong;
 }
 
+// Corner tiles of all that they can share: a reaction, states, noise, seeds, two levels.
+int try_corners() {
+  constexpr const char* kShared[] = {"threshold scale=0.8", "threshold pairs=2 react=da scale=0.8 levels=2",
+                                     "threshold scale=0.8 start=seeds pitch=9 radius=2", "threshold scale=0.8 solver=euler",
+                                     "gray-scott scale=0.5 start=noise", "gray-scott scale=0.5 pitch=12 radius=3"};
+  int wrong = 0;
+  for (const char* const text : kShared) {
+    const dapple::Recipe recipe = shortened(tests::recipe_of(text), 8);
+    const dapple::Need need = dapple::need_for(recipe, dapple::corner_tiles(8));
+    const uint16_t side = fitting_side(need.width, need.multiple);
+    std::string name = std::string("corners/") + text;
+    for (char& letter : name) letter = letter == ' ' ? '+' : letter;
+    if (print(name, recipe, dapple::corner_tiles(side / dapple::grid::kTilesAcross))) continue;
+    std::printf("%s: budgets, bands or memory change the result\n", name.c_str());
+    ++wrong;
+  }
+  return wrong;
+}
+
 }  // namespace
 
-int main() { return try_presets() + try_families() == 0 ? 0 : 1; }
+int main() { return try_presets() + try_families() + try_corners() == 0 ? 0 : 1; }

@@ -31,7 +31,7 @@ test_words() {
   equal "no arguments: exit code" $? 2
   equal "no arguments: stdout" "$(cat "$folder/out")" ""
   check "no arguments: usage on stderr" grep -q '^usage: dapple' "$folder/err"
-  for command in "" list grow info sheet stream rule surface; do
+  for command in "" list grow info sheet stream rule tiles surface; do
     # shellcheck disable=SC2086
     run $command --help > "$folder/help" 2> "$folder/err"
     equal "$command --help: exit code" $? 0
@@ -214,6 +214,8 @@ test_header() {
 
 test_sheet() {
   makes sheet.png sheet --size 80
+  makes three.png sheet --size 80 -o three.png zebra 'threshold pairs=2 scale=1.9 stretch=3 rho=0.02' radial
+  pictures size "$folder/three.png" $((8 + 3 * 88)) 108
   makes small.ppm sheet --size 84x80 -o small.ppm --view field
   local rows=$((($(echo "$presets" | wc -l) + 5) / 6))
   pictures size "$folder/sheet.png" $((8 + 6 * 88)) $((8 + rows * 100))
@@ -230,7 +232,8 @@ test_usage_errors() {
   refused 2 "''" -- grow ''
   refused 2 "'more'" -- grow zebra more
   refused 2 "'more'" -- list more
-  refused 2 "'zebra'" -- sheet zebra
+  refused 2 "'zebbra'" -- sheet zebra zebbra
+  refused 2 "'zebra size=3'" -- sheet 'zebra size=3'
   refused 2 "'--at'" --size --seed -- sheet --at 1,2
   refused 2 "'--seed'" --json -- info zebra --seed 2
   refused 2 "'--size'" --json -- list --size 2
@@ -345,6 +348,15 @@ test_maps() {
   refused 1 deep.pgm 65535 255 -- grow radial map=@"$maps/deep.pgm"
   refused 1 wide.pgm 99999x16 8192 -- grow radial map=@"$maps/wide.pgm"
   refused 1 other.pgm "PGM or PPM" -- info radial map=@"$maps/other.pgm"
+  run grow weave --size 64 -o "$maps/weave.png" &&
+    run grow weave --size 64 -o "$maps/weave.ppm"
+  head -c 900 "$maps/weave.png" > "$maps/short.png"
+  if run info radial map=@"$maps/weave.png" > /dev/null 2>&1; then
+    equal "map: a PNG is its pixels" "$(hash_of radial --size 64 map=@"$maps/weave.png")" "$(hash_of radial --size 64 map=@"$maps/weave.ppm")"
+    refused 1 short.png "libpng says" -- grow radial map=@"$maps/short.png"
+  else
+    refused 1 weave.png "built with libpng" -- grow radial map=@"$maps/weave.png"
+  fi
   { printf 'P6 1 1 255\n'; printf '\377\200\377'; } > "$maps/plain.ppm"
   { printf 'P5 2 1 255\n'; printf '\377\100'; } > "$maps/shorter.pgm"
   equal "style: the recipe's own" "$(hash_of radial --size 64 style=@"$maps/plain.ppm")" "$(hash_of radial --size 64)"

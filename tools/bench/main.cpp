@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dapple.hpp"
+#include "chunks.hpp"
 #include "recipe/list.hpp"
 
 namespace {
@@ -46,6 +46,25 @@ struct Ours {
     tile.finish();
     std::vector<int16_t> row(domain.width);
     for (uint16_t y = 0; field && y < domain.height; ++y) tile.row(y, row.data());
+  }
+};
+
+// A square of the plane through a fresh cache, chunk by chunk from the middle on.
+struct Patch {
+  dapple::Recipe recipe;
+  uint16_t side, across;
+  std::vector<uint8_t> memory;
+
+  Patch(const std::string& name, uint16_t chunk, uint16_t count)
+      : recipe(recipe_of(name, "")), side(chunk), across(count),
+        memory(dapple::chunk_bytes(recipe, side, static_cast<uint16_t>(across * across), dapple::Pixels::rgb888)) {}
+  void operator()() {
+    dapple::Chunks chunks;
+    dapple::Brush brush;
+    brush.format = dapple::Pixels::rgb888;
+    if (chunks.begin(recipe, 1337, side, static_cast<uint16_t>(across * across), brush, memory.data(), memory.size()) != dapple::ok) return;
+    const uint16_t wide = static_cast<uint16_t>(side * across);
+    if (chunks.look_at(40 * side, -3 * side, wide, wide) == dapple::ok) chunks.finish();
   }
 };
 
@@ -129,6 +148,8 @@ std::vector<Line> lines() {
     all.push_back({std::string("convolution ") + name, cells, 40.0 * 65536, 65536, Ours(name, "level=0 steps=40", square), byte_convolution});
   all.push_back({"cell program 1024x1024", cells, 50.0 * 1048576, 1048576, Ours("cells rule=0xB5A3C96E", "steps=50", dapple::torus(1024, 1024)), byte_program});
   all.push_back({"plane, 128x128 pixels zebra-bits", "Gpixel/s", 16384, 65536, Ours("zebra-bits", "", dapple::window(5000, -700, 128, 128), true), byte_convolution});
+  for (const char* name : {"zebra", "giraffe", "reptile", "maze"})
+    all.push_back({std::string("plane, 8x8 of 128x128 ") + name, "", 0, 0, Patch(name, 128, 8), float_gray_scott});
   return all;
 }
 

@@ -9,9 +9,12 @@
 
 namespace cli {
 
-// More steps than the recipe has make it a longer recipe; fewer stop it on the way.
+// More steps than the recipe has make it a longer recipe; fewer stop it on the way, but for windows in blocks, which have no
+// way that all cells go together: there it is a shorter recipe.
 static void set_steps(Subject& subject, const Options& options) {
-  if (options.steps && *options.steps > steps_of(subject.recipe))
+  if (!options.steps || *options.steps == steps_of(subject.recipe)) return;
+  const bool blocks = options.at && need_of(subject, domain_of(options), options.bands).block != 0;
+  if (blocks || *options.steps > steps_of(subject.recipe))
     change(subject.recipe, "steps=" + std::to_string(*options.steps), "--steps");
 }
 

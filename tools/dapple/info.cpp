@@ -60,13 +60,15 @@ std::vector<Figure> tile_figures(const dapple::Need& need) {
 // Where a window is, and what is grown for it.
 std::vector<Figure> window_figures(const dapple::Need& need, dapple::Domain domain) {
   const dapple::grid::Ground ground = dapple::api::ground_of(domain, need);
-  return {
+  std::vector<Figure> all = {
       {"x", "at x", std::to_string(domain.x), "cells"},
       {"y", "at y", std::to_string(domain.y), "cells"},
       {"halo", "halo", std::to_string(need.halo), "cells"},
       {"grown_width", "grown width", std::to_string(ground.width), "cells"},
       {"grown_height", "grown height", std::to_string(ground.height), "cells"},
   };
+  if (need.block != 0) all.push_back({"block", "block", std::to_string(need.block), "cells"});
+  return all;
 }
 
 std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& need, dapple::Domain domain) {

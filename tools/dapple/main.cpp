@@ -25,12 +25,13 @@ const CommandEntry kCommands[] = {
     {"list", in_list, list, 256, "[--json]", "every preset: name, family, sentence"},
     {"grow", in_grow, grow, 256, "NAME|RECIPE [key=value ...] [options]", "grow one texture and write it"},
     {"info", in_info, info, 256, "NAME|RECIPE [key=value ...] [options]", "its recipe, its memory, its work"},
-    {"sheet", in_sheet, sheet, 128, "[options]", "one picture of all presets"},
+    {"sheet", in_sheet, sheet, 128, "[NAME|RECIPE ...] [options]", "one picture of all presets, or of these"},
     {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]",
      "grow a cell program, ask about it, or find some"},
     {"surface", in_surface, surface, 0, "SHAPE NAME|RECIPE [key=value ...] [options]",
      "grow a texture for a torus, vase, sphere or your own surface"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
+    {"tiles", in_tiles, tiles, 0, "NAME|RECIPE [key=value ...] [options]", "corner tiles, which lay an endless floor"},
 };
 
 std::string usage() {

@@ -3,73 +3,15 @@
 #include "map_image.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/math.hpp"
-#include "errors.hpp"
-#include "input.hpp"
+#include "pixmap.hpp"
 
 namespace cli {
 
 namespace {
 
-constexpr uint32_t kLargestSide = 8192;
 constexpr uint32_t kBlocks = 64;  // a side: of the grid on which structure is measured
-
-struct Pixmap {
-  uint32_t width, height, channels;
-  std::string bytes;
-
-  // Any place: a tile's picture repeats.
-  uint8_t at(int64_t x, int64_t y, uint32_t channel) const {
-    const uint64_t column = static_cast<uint64_t>((x % width + width) % width),
-                   row = static_cast<uint64_t>((y % height + height) % height);
-    return static_cast<uint8_t>(bytes[(row * width + column) * channels + channel]);
-  }
-  int32_t grey(int64_t x, int64_t y) const {
-    return channels == 1 ? at(x, y, 0) : (77 * at(x, y, 0) + 150 * at(x, y, 1) + 29 * at(x, y, 2)) >> 8;
-  }
-};
-
-[[noreturn]] void damaged(const std::string& path, const std::string& why) {
-  fail("picture " + shown(path) + ": " + why);
-}
-
-// A decimal number of the header, behind blanks and remarks.
-uint32_t header_number(const std::string& text, size_t& at, const std::string& path) {
-  while (at < text.size() && (std::isspace(static_cast<unsigned char>(text[at])) != 0 || text[at] == '#'))
-    at = text[at] == '#' ? std::min(text.find('\n', at), text.size()) : at + 1;
-  uint32_t value = 0;
-  const size_t begin = at;
-  for (; at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0; ++at) {
-    value = value * 10 + static_cast<uint32_t>(text[at] - '0');
-    if (value > 1000000) break;
-  }
-  if (at == begin) damaged(path, "its header is damaged");
-  return value;
-}
-
-Pixmap read_pixmap(const std::string& path) {
-  std::string text = read_file(path);
-  const bool grey = text.compare(0, 2, "P5") == 0;
-  if (!grey && text.compare(0, 2, "P6") != 0) damaged(path, "is not a PGM or PPM picture (P5 or P6)");
-  size_t at = 2;
-  Pixmap picture{};
-  picture.width = header_number(text, at, path);
-  picture.height = header_number(text, at, path);
-  const uint32_t most = header_number(text, at, path);
-  picture.channels = grey ? 1 : 3;
-  if (picture.width < 1 || picture.width > kLargestSide || picture.height < 1 || picture.height > kLargestSide)
-    damaged(path, "has " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-                      " pixels; sides are 1 to " + std::to_string(kLargestSide));
-  if (most != 255) damaged(path, "has values up to " + std::to_string(most) + "; 255 is what is read");
-  const size_t wanted = size_t{picture.width} * picture.height * picture.channels;
-  picture.bytes = text.substr(std::min(text.size(), at + 1));
-  if (picture.bytes.size() < wanted)
-    damaged(path, "is cut short: " + std::to_string(picture.bytes.size()) + " bytes of pixels, not " +
-                      std::to_string(wanted));
-  return picture;
-}
 
 // The vector (c, s) with a length of 127 share / 256.
 void put(std::vector<int8_t>& pairs, int64_t c, int64_t s, int64_t share) {
@@ -148,14 +90,6 @@ void read_map(const std::string& path, MapAs as, PictureMaps& to) {
   if (as == MapAs::structure) from_structure(picture, wide, high, to.pairs);
   else from_values(picture, wide, high, to.pairs);
   to.maps.direction = {to.pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
-}
-
-GreyPicture read_grey(const std::string& path) {
-  const Pixmap picture = read_pixmap(path);
-  GreyPicture to{picture.width, picture.height, {}};
-  for (uint32_t y = 0; y < picture.height; ++y)
-    for (uint32_t x = 0; x < picture.width; ++x) to.grey.push_back(static_cast<uint8_t>(picture.grey(x, y)));
-  return to;
 }
 
 void read_styles(const std::string& path, PictureMaps& to) {

@@ -23,16 +23,9 @@ struct PictureMaps {
   dapple::PlaceMaps maps{};
 };
 
-// Of a PGM or PPM file; they fail where it cannot be read. Styles are red, green and blue; a grey picture is of
+// Of a picture file (pixmap.hpp); they fail where it cannot be read. Styles are red, green and blue; a grey picture is of
 // wavelengths.
 void read_map(const std::string& path, MapAs as, PictureMaps& to);
 void read_styles(const std::string& path, PictureMaps& to);
-
-// The grey of every pixel, row by row.
-struct GreyPicture {
-  uint32_t width, height;
-  std::vector<uint8_t> grey;
-};
-GreyPicture read_grey(const std::string& path);
 
 }  // namespace cli

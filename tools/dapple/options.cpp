@@ -141,6 +141,10 @@ std::string file_name(const char* name, const std::string& value) {
   return value;
 }
 
+void read_tile_size(Options& o, const std::string& value) {
+  o.width = o.height = static_cast<uint16_t>(number("--size", value, dapple::kSmallestSide, kLargestSheetTile));
+}
+
 void read_start_file(Options& o, const std::string& value) {
   if (value.empty()) refuse_value("--start", value, "the name of a file of run-length text");
   o.start = value;
@@ -172,7 +176,7 @@ const Option kOptions[] = {
     {"--tall", "T", in_surface, ".01 to 10: of a vase, its height in mean circumferences (.9); of --heights, white in\n"
      "widths of the picture (.1)",
      [](Options& o, const std::string& v) { o.tall = decimal("--tall", v, 10000, 10000000, "a number from .01 to 10"); }},
-    {"--heights", "FILE", in_surface, "of flat: a PGM or PPM picture, a height for every cell",
+    {"--heights", "FILE", in_surface, "of flat: a PGM, PPM or PNG picture, a height for every cell",
      [](Options& o, const std::string& v) { o.heights = file_name("--heights", v); }},
     {"--metric", "FILE", in_surface, "of flat: text, 'WIDTH HEIGHT [PATCHES]' and xx xy yy of every cell's metric tensor",
      [](Options& o, const std::string& v) { o.metric = file_name("--metric", v); }},
@@ -190,33 +194,39 @@ const Option kOptions[] = {
     {"--at", "X,Y", in_stream, "where the flight begins (0,0)", read_at},
     {"--frames", "N", in_stream, "stop after N frames, 1 to 1000000 (piped 60; in the terminal none)",
      [](Options& o, const std::string& v) { o.frames = number("--frames", v, 1, 1000000); }},
-    {"--seed", "N", in_grow | in_sheet | in_stream | in_surface, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
+    {"--size", "N", in_tiles, "pixels of a tile, either way, from 8 to 8191 (eight wavelengths or a little more)", read_tile_size},
+    {"-o", "FOLDER", in_tiles, "where the files go, made if it is not there (NAME-tiles)",
+     [](Options& o, const std::string& v) {
+       if (v.empty()) refuse_value("-o", v, "the name of a folder");
+       o.output = v;
+     }},
+    {"--seed", "N", in_grow | in_sheet | in_stream | in_tiles | in_surface, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
     {"--map-as", "HOW", in_grow | in_info,
-     "how map=@FILE (PGM, PPM) is read: structure, stripes along what the picture shows;\n"
+     "how map=@FILE (PGM, PPM, PNG) is read: structure, stripes along what the picture shows;\n"
      "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
      [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
     {"-o", "FILE", in_grow | in_sheet | in_surface, "file to write; its suffix picks the format; - is standard output", read_output},
-    {"--format", "FORMAT", in_grow | in_sheet | in_surface,
+    {"--format", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",
      [](Options& o, const std::string& v) { o.format = static_cast<Format>(choice("--format", v, kFormats)); }},
-    {"--view", "VIEW", in_grow | in_sheet | in_surface, "colour, field, cells, height, normal (colour)",
+    {"--view", "VIEW", in_grow | in_sheet | in_tiles | in_surface, "colour, field, cells, height, normal (colour)",
      [](Options& o, const std::string& v) { o.view = static_cast<dapple::View>(choice("--view", v, kViews)); }},
-    {"--pixels", "FORMAT", in_grow | in_sheet | in_surface,
+    {"--pixels", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "for raw and c: l8, rgb888, rgba8888, rgb565, rgb565_swapped, l1_msb, l1_lsb,\n"
      "l1_pages (rgba8888); for png the first three, for qoi two of them (rgb888)",
      [](Options& o, const std::string& v) { o.pixels = static_cast<dapple::Pixels>(choice("--pixels", v, kPixels)); }},
-    {"--ramp", "NAME|STOPS", in_grow | in_surface, "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
-    {"--dither", nullptr, in_grow | in_sheet | in_surface, "ordered dither, for pixels of less than eight bits a channel",
+    {"--ramp", "NAME|STOPS", in_grow | in_tiles | in_surface, "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
+    {"--dither", nullptr, in_grow | in_sheet | in_tiles | in_surface, "ordered dither, for pixels of less than eight bits a channel",
      [](Options& o, const std::string&) { o.dither = true; }},
-    {"--flip-y", nullptr, in_grow | in_sheet | in_surface, "normal maps whose green points down",
+    {"--flip-y", nullptr, in_grow | in_sheet | in_tiles | in_surface, "normal maps whose green points down",
      [](Options& o, const std::string&) { o.flip_y = true; }},
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
-    {"--budget", "ROWS", in_grow | in_surface, "rows of work at once; never changes the bytes",
+    {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
-    {"--threads", "N", in_grow | in_info | in_surface, "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
+    {"--threads", "N", in_grow | in_info | in_tiles | in_surface, "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},
@@ -253,6 +263,8 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
+  } else if ((command & in_sheet) != 0 && !word.empty()) {
+    options.wanted.push_back(word);
   } else if (subject && is_change(word)) {
     options.changes.push_back(word);
   } else {

@@ -10,9 +10,12 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_surface = 64 };
-constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_surface;  // NAME|RECIPE [key=value ...]
+enum Command : unsigned {
+  in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64, in_surface = 128
+};
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles | in_surface;  // NAME|RECIPE [key=value ...]
 
+constexpr uint16_t kLargestSheetTile = 8191;  // of tiles: the preview has eight, and at most 65535 pixels
 constexpr const char* kShapes = "torus|vase|sphere|flat";  // of surface
 
 // A pixel of the endless plane.
@@ -23,6 +26,7 @@ struct Place {
 struct Options {
   std::string subject;               // NAME or RECIPE
   std::vector<std::string> changes;  // key=value
+  std::vector<std::string> wanted;   // of sheet: presets and recipes; none: all presets
   uint16_t width = 256, height = 256;
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;

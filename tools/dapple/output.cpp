@@ -15,24 +15,29 @@ namespace cli {
 
 namespace files = std::filesystem;
 
-// The files to remove when a signal ends the program; empty for none.
-static char unfinished[2][4096];
+// What to remove when a signal ends the program, files and the folder they are in; the folder has the first place.
+constexpr size_t kMostUnfinished = 32;
+static char unfinished[kMostUnfinished][4096];
 
 static void remove_and_end(int signal) {
-  for (const char* path : unfinished)
-    if (path[0] != 0) unlink(path);
+  for (size_t i = kMostUnfinished; i-- > 0;)
+    if (unfinished[i][0] != 0 && unlink(unfinished[i]) != 0) rmdir(unfinished[i]);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-// The slot that watches it; null for a name too long.
-static char* watch(const std::string& path) {
-  char* const free = unfinished[unfinished[0][0] != 0 ? 1 : 0];
-  if (path.size() >= sizeof unfinished[0]) return nullptr;
-  std::memcpy(free, path.c_str(), path.size() + 1);
+static void watch(const std::string& path) {
+  size_t place = 0;
+  while (place < kMostUnfinished && unfinished[place][0] != 0) ++place;
+  if (place == kMostUnfinished || path.size() >= sizeof unfinished[0]) return;
+  std::memcpy(unfinished[place], path.c_str(), path.size() + 1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, remove_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
-  return free;
+}
+
+static void forget(const std::string& path) {
+  for (char* const place : unfinished)
+    if (path == place) place[0] = 0;
 }
 
 [[noreturn]] static void cannot_write(const std::string& path, const std::string& why) {
@@ -68,27 +73,56 @@ void Output::open_beside(const std::string& path) {
     temporary_.clear();
     cannot_write(path, std::strerror(errno));
   }
-  watched_ = watch(temporary_);
+  watch(temporary_);
 }
 
 Output::~Output() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
-  if (watched_ != nullptr) watched_[0] = 0;
+  if (temporary_.empty()) return;
+  std::remove(temporary_.c_str());
+  forget(temporary_);
 }
 
 void Output::write(const void* bytes, size_t count) {
   if (error_ == 0 && std::fwrite(bytes, 1, count, file_) != count) error_ = errno;
 }
 
-void Output::finish() {
+void Output::close() {
+  if (file_ == nullptr) return;
   if (std::fflush(file_) != 0 && error_ == 0) error_ = errno;
   if (file_ != stdout && std::fclose(file_) != 0 && error_ == 0) error_ = errno;
   file_ = nullptr;
   if (error_ != 0) cannot_write(path_ == "-" ? "standard output" : path_, std::strerror(error_));
+}
+
+void Output::finish() {
+  close();
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) cannot_write(path_, std::strerror(errno));
+  forget(temporary_);
   temporary_.clear();
+}
+
+Folder::Folder(const std::string& path) : path_(path) {
+  std::error_code error;
+  if (files::is_directory(path, error)) return;
+  if (files::exists(path, error)) fail("cannot make the folder " + shown(path) + ": a file has that name");
+  if (!files::create_directory(path, error)) fail("cannot make the folder " + shown(path) + ": " + error.message());
+  made_ = true;
+  watch(path_);
+}
+
+Folder::~Folder() {
+  if (!made_) return;
+  rmdir(path_.c_str());
+  forget(path_);
+}
+
+std::string Folder::file(const std::string& name) const { return (files::path(path_) / name).string(); }
+
+void Folder::keep() {
+  if (made_) forget(path_);
+  made_ = false;
 }
 
 void finish_standard_output() {

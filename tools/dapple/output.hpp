@@ -1,4 +1,5 @@
-// Where a picture goes: standard output, or a file that appears under its name only when it is complete.
+// Where a picture goes: standard output, or a file that appears under its name only when it is complete. Several files in a
+// folder: close all of them, and finish them when all are closed.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
@@ -21,7 +22,9 @@ class Output {
   void write(const std::string& text) { write(text.data(), text.size()); }
   void put(uint8_t byte) { write(&byte, 1); }
 
-  // The file is complete: gives it its name.
+  // Everything is written; fails when something was not.
+  void close();
+  // The file is complete: closes it, if that is not done, and gives it its name.
   void finish();
 
  private:
@@ -29,8 +32,23 @@ class Output {
 
   std::string path_, temporary_;  // temporary_ is empty where nothing has to be renamed
   std::FILE* file_ = nullptr;
-  char* watched_ = nullptr;  // names the temporary file to whoever removes it at a signal
   int error_ = 0;  // errno of the first failed write
+};
+
+// A folder for files, made if it is not there; one that was made goes again unless it is kept.
+class Folder {
+ public:
+  explicit Folder(const std::string& path);
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string file(const std::string& name) const;
+  void keep();
+
+ private:
+  std::string path_;
+  bool made_ = false;
 };
 
 // Ends a command that printed to standard output; fails when the text did not get out.

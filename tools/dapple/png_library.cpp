@@ -1,9 +1,10 @@
-// PNG files by libpng, which packs them well.
+// PNG files by libpng, which packs them well and reads all of them.
 // SPDX-License-Identifier: MIT
 #include <png.h>
 
 #include "errors.hpp"
 #include "image.hpp"
+#include "pixmap.hpp"
 
 namespace cli {
 
@@ -37,6 +38,28 @@ void write_png_library(Lines& lines, Output& out) {
   const bool good = info != nullptr && write_all(png, info, lines, out);
   png_destroy_write_struct(&png, &info);
   if (!good) fail("libpng cannot write the picture");
+}
+
+bool decode_png(const std::string& bytes, Pixmap& picture, std::string& why) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
+    why = std::string("libpng says: ") + image.message;
+    return false;
+  }
+  if (image.width > kLargestPicture || image.height > kLargestPicture) {
+    why = "has " + std::to_string(image.width) + "x" + std::to_string(image.height) + " pixels; sides are 1 to " +
+          std::to_string(kLargestPicture);
+    png_image_free(&image);
+    return false;
+  }
+  image.format = (image.format & PNG_FORMAT_FLAG_COLOR) != 0 ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  picture = {image.width, image.height, image.format == PNG_FORMAT_RGB ? 3u : 1u, std::string(PNG_IMAGE_SIZE(image), '\0')};
+  if (png_image_finish_read(&image, nullptr, &picture.bytes[0], 0, nullptr) == 0) {
+    why = std::string("libpng says: ") + image.message;
+    return false;
+  }
+  return true;
 }
 
 }  // namespace cli

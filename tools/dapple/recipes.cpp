@@ -236,7 +236,7 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
     case dapple::bad_surface:
       refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:
-      refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM or PPM files");
+      refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM, PPM or PNG files");
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:

@@ -1,12 +1,18 @@
-// dapple sheet: every preset in one picture.
+// dapple sheet: every preset in one picture, or those that are wanted.
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "contact.hpp"
 
 namespace cli {
 
-static std::vector<Subject> subjects() {
+static std::vector<Subject> subjects(const Options& options) {
   std::vector<Subject> all;
+  for (const std::string& wanted : options.wanted) {
+    Options one = options;
+    one.subject = wanted;
+    all.push_back(subject_of(one));
+  }
+  if (!all.empty()) return all;
   for (uint16_t i = 0; i < dapple::preset_count(); ++i) {
     char name[dapple::kMaxName];
     const dapple::PresetEntry entry = dapple::preset_at(i, name);
@@ -18,7 +24,7 @@ static std::vector<Subject> subjects() {
 void sheet(const Options& options) {
   const Target target = target_of(options, "sheet");
   const dapple::Domain domain = dapple::torus(options.width, options.height);
-  const std::vector<Subject> all = subjects();
+  const std::vector<Subject> all = subjects(options);
   for (const Subject& subject : all) need_of(subject, domain, 1);
   Contact contact(options, static_cast<uint32_t>(all.size()));
   Output out(target.path);
@@ -28,7 +34,7 @@ void sheet(const Options& options) {
     tile.grow(options.budget, progress);
     contact.add(tile, subject.name);
   }
-  contact.write(target, "sheet", "Every preset, seed " + std::to_string(options.seed) + ", dapple " + version_text(), out);
+  contact.write(target, "sheet", (options.wanted.empty() ? "Every preset" : "Presets and recipes") + std::string(", seed ") + std::to_string(options.seed) + ", dapple " + version_text(), out);
 }
 
 }  // namespace cli

@@ -154,7 +154,7 @@ class Cloth {
       refuse(size + ": the sides of " + name_ + " must be multiples of " + std::to_string(need.multiple));
     if (status == dapple::tile_too_small)
       refuse(size + " is too small: " + name_ + " needs at least " + size_text(need.width, need.height));
-    if (status == dapple::bad_map) refuse("map=image takes a picture: give map=@FILE, a PGM or PPM file");
+    if (status == dapple::bad_map) refuse("map=image takes a picture: give map=@FILE, a PGM, PPM or PNG file");
     if (status == dapple::bad_sides) fail(size + ": patches that are joined across and down must be squares");
     if (status == dapple::bad_surface || status == dapple::bad_recipe)
       fail(name_ + " is not for this surface: it has more than three pairs, or where the cells are smallest (" +

@@ -7,7 +7,7 @@
 
 #include "errors.hpp"
 #include "input.hpp"
-#include "map_image.hpp"
+#include "pixmap.hpp"
 #include "recipe/word.hpp"
 
 namespace cli {
@@ -131,14 +131,16 @@ MetricMap read_metric(const std::string& path) {
 }
 
 HeightMap read_heights(const std::string& path, int32_t tall) {
-  const GreyPicture picture = read_grey(path);
+  const Pixmap picture = read_pixmap(path);
   if (picture.width < dapple::kSmallestSide || picture.height < dapple::kSmallestSide)
     fail("picture " + shown(path) + " is smaller than " + std::to_string(dapple::kSmallestSide) + " pixels a side");
   HeightMap map{static_cast<uint16_t>(picture.width), static_cast<uint16_t>(picture.height), {}};
   const int64_t white = dapple::base::divide_round(int64_t{tall} * picture.width * 256, dapple::base::kMicro);
   if (white > INT16_MAX)
     fail("picture " + shown(path) + ": white would be " + std::to_string(white / 256) + " cells high; the most are 127 (--tall)");
-  for (const uint8_t grey : picture.grey) map.heights.push_back(static_cast<int16_t>(white * grey / 255));
+  for (uint32_t y = 0; y < picture.height; ++y)
+    for (uint32_t x = 0; x < picture.width; ++x)
+      map.heights.push_back(static_cast<int16_t>(white * picture.grey(x, y) / 255));
   return map;
 }
 

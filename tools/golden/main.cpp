@@ -1,6 +1,7 @@
 // Prints or records the golden hashes of presets: one line `name WxH seed field rgba8888` per preset and size.
 //   golden                      print the lines of every preset
 //   golden NAME ...             print the lines of some
+//   golden --plane              print the lines of windows in blocks: name X,Y WxH seed field rgba8888
 //   golden --add FILE NAME ...  put the lines of some into FILE in place of the ones it has
 // SPDX-License-Identifier: MIT
 #include <cinttypes>
@@ -27,6 +28,16 @@ std::vector<std::string> lines_of(const char* name) {
     lines.push_back(line);
   }
   return lines;
+}
+
+void print_windows(const std::string& name) {
+  const dapple::Recipe recipe = dapple::load(*dapple::find_preset(name.c_str()));
+  if (!tests::in_blocks(recipe)) return;
+  for (const dapple::Domain& d : tests::kGoldenWindows) {
+    tests::Grown tile(recipe, d, tests::kGoldenSeed);
+    std::printf("%s %d,%d %ux%u %u %016" PRIx64 " %016" PRIx64 "\n", name.c_str(), int(d.x), int(d.y), unsigned(d.width),
+                unsigned(d.height), unsigned(tests::kGoldenSeed), tile.field_hash(), tile.paint_hash());
+  }
 }
 
 std::vector<std::string> every_name() {
@@ -60,6 +71,10 @@ int add(const char* path, const std::vector<std::string>& names) {
 }  // namespace
 
 int main(int count, char** words) {
+  if (count == 2 && std::strcmp(words[1], "--plane") == 0) {
+    for (const std::string& name : every_name()) print_windows(name);
+    return 0;
+  }
   const bool adding = count > 3 && std::strcmp(words[1], "--add") == 0;
   std::vector<std::string> names(words + (adding ? 3 : 1), words + count);
   if (names.empty()) names = every_name();
