@@ -1,6 +1,6 @@
-// Patches grown together [Witkin & Kass 1991, 4.1]: textures whose sides are joined, so that nothing shows where they meet. A
-// cube of six patches is a sphere; patches side by side are one large patch, bit for bit; any other atlas is a list of
-// sides.
+// Patches grown together [Witkin & Kass 1991, 4.1]: textures whose sides are joined, so that nothing shows where they
+// meet. A cube of six patches is a sphere; patches side by side are one large patch, bit for bit; any other atlas is a
+// list of sides.
 //
 //   dapple::Patch six[6];
 //   dapple::make_sphere(six, 96);
@@ -11,9 +11,11 @@
 //   set_maps(recipe, maps);                                              // of a recipe with solver=surface
 //   dapple::Texture face[6];
 //   dapple::Atlas atlas;
-//   if (atlas.begin(recipe, sphere, seed, face, memory, dapple::atlas_need(recipe, sphere).bytes) != dapple::ok) fault();
+//   const dapple::AtlasNeed need = dapple::atlas_need(recipe, sphere);   // memory: need.bytes
+//   if (atlas.begin(recipe, sphere, seed, face, memory, need.bytes) != dapple::ok) fault();
 //   while (atlas.step(64) == dapple::more) {}
 //   face[2].paint(y, dapple::Pixels::rgb888, line);
+//
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "dapple.hpp"
@@ -37,8 +39,8 @@ constexpr AtlasNeed atlas_need(const Recipe& recipe, const Patches& patches, uin
   need.status = need.patch.status;
   if (need.status != ok) return need;
   need.block = (need.patch.bytes + 3) & ~static_cast<size_t>(3);
-  const bool fits = need.block <= evolve::kMostGhostBytes / patches.count && base::add_bytes(need.bytes, patches.count, need.block) &&
-                    base::add_bytes(need.bytes, 1, 3);
+  const bool fits = need.block <= evolve::kMostGhostBytes / patches.count &&
+                    base::add_bytes(need.bytes, patches.count, need.block) && base::add_bytes(need.bytes, 1, 3);
   if (fits) return need;
   need.status = too_large;
   need.bytes = 0;
@@ -50,8 +52,8 @@ class Atlas {
  public:
   // Checks everything, then readies a texture for every patch. All that is handed over must outlive them. On an error
   // nothing has been touched.
-  Status begin(const Recipe& recipe, const Patches& patches, uint32_t seed, Texture* textures, void* memory, size_t bytes,
-               const Options& options = Options{}, AtlasNeed* need = nullptr);
+  Status begin(const Recipe& recipe, const Patches& patches, uint32_t seed, Texture* textures, void* memory,
+               size_t bytes, const Options& options = Options{}, AtlasNeed* need = nullptr);
   Status begin(const Recipe& recipe, Patches&& patches, uint32_t seed, Texture* textures, void* memory, size_t bytes,
                const Options& options = Options{}, AtlasNeed* need = nullptr) = delete;  // would dangle
 
@@ -71,8 +73,9 @@ class Atlas {
   uint16_t part_;       // of all patches before it in this round
 };
 
-// --- A sphere: the faces of a cube. Four around the equator, each to the right of the one before, then the north and the
-// south, above and below the first. A cell at (X, Y) = (tan a, tan b) of a face lies in the direction n + X u + Y v.
+// --- A sphere: the faces of a cube. Four around the equator, each to the right of the one before, then the north and
+// the south, above and below the first. A cell at (X, Y) = (tan a, tan b) of a face lies in the direction n + X u + Y
+// v.
 struct Face {
   int8_t n[3], u[3], v[3];
 };

@@ -1,5 +1,5 @@
-// Patches: sides that repeat, end, are held or joined; many small patches are one large one, bit for bit; six are a sphere.
-// SPDX-License-Identifier: MIT
+// Patches: sides that repeat, end, are held or joined; many small patches are one large one, bit for bit; six are a
+// sphere. SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -35,7 +35,8 @@ struct Sheet {
         const auto at = [&](int x, int y) {
           return static_cast<uint8_t>((y + high) % high * wide + (x + wide) % wide);
         };
-        Patch p = {i * width, j * height,
+        Patch p = {i * width,
+                   j * height,
                    {joined_side(at(i - 1, j), Side::right), joined_side(at(i + 1, j), Side::left),
                     joined_side(at(i, j - 1), Side::bottom), joined_side(at(i, j + 1), Side::top)}};
         if (closed_across && i == 0) p.side[Side::left] = kClosed;
@@ -156,9 +157,9 @@ TEST_CASE("atlas: a constant field stays constant between closed sides, and does
   const Surface vase = measured(dapple::vase_surface(64, 48, 400000, 900000));
   dapple::PlaceMaps maps{};
   maps.surface = &vase;
-  for (const char* text :
-       {"mapped map=none stretch=3 scale=2.2 angle=31 solver=flux", "mapped map=isotropic solver=surface",
-        "mapped map=haunch stretch=2 solver=surface", "threshold stretch=3 angle=31", "threshold angle=31 solver=euler"}) {
+  for (const char* text : {"mapped map=none stretch=3 scale=2.2 angle=31 solver=flux",
+                           "mapped map=isotropic solver=surface", "mapped map=haunch stretch=2 solver=surface",
+                           "threshold stretch=3 angle=31", "threshold angle=31 solver=euler"}) {
     // Every cell begins in a disc; the reaction is on everywhere, then off.
     dapple::Recipe recipe = tests::recipe_of(
         (std::string(text) + " start=seeds pitch=8 radius=9 aspect=1 jitter=0 rho=-0.01:0.01@0.5 steps=8").c_str());
@@ -273,7 +274,8 @@ TEST_CASE("atlas: what begin refuses, and that it leaves alone what it was given
   const size_t bytes = atlas_need(recipe, sheet.all).bytes;
   std::vector<uint8_t> memory(bytes, 7);
   dapple::AtlasNeed need{};
-  CHECK(atlas.begin(recipe, sheet.all, 1, texture.data(), memory.data(), bytes - 1, {}, &need) == dapple::too_little_memory);
+  CHECK(atlas.begin(recipe, sheet.all, 1, texture.data(), memory.data(), bytes - 1, {}, &need) ==
+        dapple::too_little_memory);
   CHECK(need.bytes == bytes);
   CHECK(memory == std::vector<uint8_t>(bytes, 7));
   CHECK(dapple::need_for(recipe, on_patch(sheet.all, 2)).status == dapple::bad_sides);
@@ -296,8 +298,8 @@ TEST_CASE("atlas: sides are words of a recipe") {
   CHECK(sides("sides=closed") == "cccc");
   CHECK(sides("sides=repeat,closed") == "jjcc");
   CHECK(sides("sides=closed,fixed,repeat,repeat held=0.25,0.5") == "cfjj500000");
-  for (const char* wrong : {"sides=closed,repeat,closed,closed", "sides=closed,closed,closed", "sides=open", "sides=",
-                            "sides=closed,closed,closed,closed,closed", "held=0.5", "held=1.5,0"})
+  for (const char* wrong : {"sides=closed,repeat,closed,closed", "sides=closed,closed,closed", "sides=open",
+                            "sides=", "sides=closed,closed,closed,closed,closed", "held=0.5", "held=1.5,0"})
     CHECK(tests::recipe_of((std::string("mapped ") + wrong).c_str()).stages == 0);
   const dapple::Recipe recipe = tests::recipe_of("mapped sides=fixed,closed,repeat,repeat held=0.25,0.5 scale=1.5");
   char text[600];

@@ -58,8 +58,8 @@ double variation(const char* text, const Surface& torus, bool corrected, double*
   Sums band[8];
   for (uint32_t seed = 1; seed <= 4; ++seed) {
     const dapple::Domain domain = dapple::torus(torus.width, torus.height);
-    const std::vector<int16_t> field = corrected ? grown_on(text, torus, domain, seed)
-                                                 : Grown(tests::recipe_of(text), domain, seed).field();
+    const std::vector<int16_t> field =
+        corrected ? grown_on(text, torus, domain, seed) : Grown(tests::recipe_of(text), domain, seed).field();
     for (int i = 0; i < 8; ++i) add_rows(field, torus, i * torus.height / 8, (i + 1) * torus.height / 8, band[i]);
   }
   double sum = 0, squares = 0;
@@ -95,8 +95,9 @@ TEST_CASE("surface: a metric that changes nothing changes no byte") {
   const Surface flat = measured(dapple::surface_of(Surface::flat, 52, 44)),
                 wide = measured(dapple::tensor_surface(80, 72, twice.data()));
   for (const char* map : {"none", "isotropic", "radial", "scallop", "haunch", "two-angle", "swirl", "bends"})
-    for (const char* numbers : {"scale=2.2 stretch=2 steps=4", "scale=1.5 stretch=3 pairs=2 rho=0.02 angles=10,-31 steps=3",
-                                "scale=1.3 stretch=1 ratio=1.4 steps=5 levels=2 fine=2"}) {
+    for (const char* numbers :
+         {"scale=2.2 stretch=2 steps=4", "scale=1.5 stretch=3 pairs=2 rho=0.02 angles=10,-31 steps=3",
+          "scale=1.3 stretch=1 ratio=1.4 steps=5 levels=2 fine=2"}) {
       const std::string text = std::string("mapped map=") + map + " " + numbers;
       INFO(text);
       const std::vector<int16_t> plain = Grown(tests::recipe_of(text.c_str()), domain, 11).field();
@@ -133,7 +134,7 @@ TEST_CASE("surface: measuring names the first cell whose tensor is singular, neg
     return refused_at(dapple::tensor_surface(12, 9, all.data(), 2));
   };
   CHECK(refused_at(dapple::tensor_surface(12, 9, cells.data(), 2)) == "");
-  CHECK(at({65536, 65536, 65536}, 0, 3, 2) == "0 3,2");   // singular
+  CHECK(at({65536, 65536, 65536}, 0, 3, 2) == "0 3,2");    // singular
   CHECK(at({65536, 70000, 65536}, 1, 11, 0) == "1 11,0");  // indefinite
   CHECK(at({-65536, 0, -65536}, 1, 0, 8) == "1 0,8");
   CHECK(at({65536, 0, 0}, 0, 0, 0) == "0 0,0");
@@ -146,7 +147,8 @@ TEST_CASE("surface: measuring names the first cell whose tensor is singular, neg
   CHECK(refused_at(dapple::surface_of(Surface::sphere, 64, 32, 6)) == "0 0,0");
 }
 
-TEST_CASE("surface: begin refuses one that is missing, not measured, of another size, too fine, or for too many pairs") {
+TEST_CASE(
+    "surface: begin refuses one that is missing, not measured, of another size, too fine, or for too many pairs") {
   const auto status = [](const char* text, const Surface* surface, const dapple::Domain& domain) {
     dapple::Recipe recipe = tests::recipe_of((std::string(text) + " solver=surface").c_str());
     dapple::PlaceMaps maps{};
@@ -175,7 +177,9 @@ TEST_CASE("surface: begin refuses one that is missing, not measured, of another 
 
 TEST_CASE("surface: the ready ones have the metrics of their shapes") {
   const double pi = std::acos(-1.0);
-  const auto close = [](int32_t have, double want) { return std::fabs(have / 65536.0 - want) <= 0.002 * (1 + std::fabs(want)); };
+  const auto close = [](int32_t have, double want) {
+    return std::fabs(have / 65536.0 - want) <= 0.002 * (1 + std::fabs(want));
+  };
   const Surface torus = dapple::torus_surface(200, 100, 500000), vase = dapple::vase_surface(120, 90, 400000, 800000),
                 sphere = dapple::sphere_surface(40);
   for (int y = 0; y < 40; ++y)

@@ -7,7 +7,8 @@
 namespace dapple::evolve {
 
 static uint16_t period(const Context& context, uint16_t size) {
-  return static_cast<uint16_t>((context.plane ? stencil::kPlanePeriod : size) >> context.level);
+  const bool window = context.plane && context.ground->patches == nullptr;
+  return static_cast<uint16_t>((window ? stencil::kPlanePeriod : size) >> context.level);
 }
 
 static stencil::DirectionMap::Kind kind_of(int32_t map) {
@@ -41,8 +42,8 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
   m = stencil::DirectionMap{};
   m.kind = kind_of(number[mapped::map]);
   const Patches* const patches = context.ground->patches;
-  m.width = patches != nullptr ? static_cast<uint16_t>(patches->width >> context.level) : period(context, context.ground->width);
-  m.height = patches != nullptr ? static_cast<uint16_t>(patches->height >> context.level) : period(context, context.ground->height);
+  m.width = period(context, patches != nullptr ? patches->width : context.ground->width);
+  m.height = period(context, patches != nullptr ? patches->height : context.ground->height);
   m.rows = static_cast<uint16_t>(context.ground->height >> context.level);
   m.x = context.ground->x >> context.level;
   m.y = context.ground->y >> context.level;

@@ -1,7 +1,7 @@
 // The macro step of eq. (12) with a map of directions: one reaction, then the passes of stencil/flux.hpp over all
 // planes at once. `flux` keeps the map in planes of its own, 2 bytes a cell; `lean_flux` makes its rows anew for every
-// sweep. Same bytes. `styled` keeps two planes more: wavelength, rho and k from an image; `surface` three: what undoes the
-// metric of a surface [4]. SPDX-License-Identifier: MIT
+// sweep. Same bytes. `styled` keeps two planes more: wavelength, rho and k from an image; `surface` three: what undoes
+// the metric of a surface [4]. SPDX-License-Identifier: MIT
 #pragma once
 #include "../model/mapped.hpp"
 #include "../stencil/flux.hpp"
@@ -119,7 +119,8 @@ constexpr Status accepts_map(const int32_t* number, const void* given, const Dom
   if (number[mapped::map] != mapped::image) return ok;
   if (given == nullptr) return bad_map;
   const DirectionImage& image = static_cast<const PlaceMaps*>(given)->direction;
-  return image.pairs != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage) ? ok : bad_map;
+  if (image.pairs == nullptr) return bad_map;
+  return within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage) ? ok : bad_map;
 }
 
 constexpr bool has_room(const int32_t* number, Keeps keeps) {
@@ -131,7 +132,8 @@ constexpr Status accepts_styles(const int32_t* number, const void* given, const 
   if (given == nullptr || !has_room(number, Keeps::styles)) return bad_map;
   if (domain.patches != nullptr) return bad_sides;
   const StyleImage& image = static_cast<const PlaceMaps*>(given)->style;
-  if (image.cells == nullptr || !within(image.width, 1, kMostImage) || !within(image.height, 1, kMostImage)) return bad_map;
+  if (image.cells == nullptr) return bad_map;
+  if (!within(image.width, 1, kMostImage) || !within(image.height, 1, kMostImage)) return bad_map;
   return accepts_map(number, given, domain);
 }
 
@@ -147,7 +149,8 @@ constexpr Status accepts_surface(const int32_t* number, const void* given, const
   if (surface->patches != 1 && surface->patches != patches) return bad_surface;
   for (uint8_t i = 0; i < threshold::planes(number); ++i) {
     const grid::Tensor axes = mapped::tensor(number, i);
-    if (on_surface(axes.xx, *surface) > kMostVariance || on_surface(axes.yy, *surface) > kMostVariance) return bad_surface;
+    const int64_t xx = on_surface(axes.xx, *surface), yy = on_surface(axes.yy, *surface);
+    if (xx > kMostVariance || yy > kMostVariance) return bad_surface;
   }
   return accepts_map(number, given, domain);
 }

@@ -46,17 +46,19 @@ DAPPLE_APART static void make_entries(const Run& run, const Row& row, uint16_t y
 
 static int32_t fixed_value(const Run& run, uint32_t entry, uint8_t plane) {
   const Side& side = run.ground.patches->patch[(entry & 255) / 4].side[entry & 3];
-  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(side.value[plane & 1]) * run.model.unit, base::kMicro));
+  return static_cast<int32_t>(
+      base::divide_round(static_cast<int64_t>(side.value[plane & 1]) * run.model.unit, base::kMicro));
 }
 
-template <class T> static void fill(const Run& run, const Row& row, uint8_t plane, T* cell) {
+template <class T>
+static void fill(const Run& run, const Row& row, uint8_t plane, T* cell) {
   const uint8_t* const source = run.ghosts.planes + plane * run.field.plane_bytes;
   const uint32_t* entry = row.entry;
   for (uint16_t x = 0; x < run.field.width; ++x) {
     if (x == row.first && row.gap > 0) x = static_cast<uint16_t>(x + row.gap);
     const uint32_t from = *entry++;
-    cell[x] = from >= kFixed ? static_cast<T>(fixed_value(run, from, plane))
-                             : *reinterpret_cast<const T*>(source + from);
+    cell[x] =
+        from >= kFixed ? static_cast<T>(fixed_value(run, from, plane)) : *reinterpret_cast<const T*>(source + from);
   }
 }
 

@@ -12,7 +12,8 @@ constexpr uint8_t kSides = 4;
 struct Side {
   enum Name : uint8_t { left, right, top, bottom };
   enum Kind : uint8_t {
-    joined,  // side `side` of patch `patch`; place t meets place t of it, or, reversed, the one as far from its other end
+    joined,  // side `side` of patch `patch`; place t meets place t of it, or, reversed, the one as far from its other
+             // end
     closed,  // nothing, and nothing goes there: the patch is mirrored (zero flux)
     fixed,   // value[0] in even planes (activators), value[1] in odd ones (inhibitors), in 1/kMicro of the model's 1.0
   } kind;

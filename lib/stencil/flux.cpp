@@ -137,8 +137,8 @@ DAPPLE_APART static void carry_mean(const i16* DAPPLE_RESTRICT link, const i16* 
                                     const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
                                     i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
   for (uint16_t x = 0; x < n; ++x)
-    flux[x] = carried_of(static_cast<i16>(mulhi(link[x], s.slope) + static_cast<i16>(mean[x] - s.before)), from[x],
-                         to[x], s);
+    flux[x] =
+        carried_of(static_cast<i16>(mulhi(link[x], s.slope) + static_cast<i16>(mean[x] - s.before)), from[x], to[x], s);
 }
 // Means are at most 16000.
 static void mean_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out,
@@ -244,7 +244,8 @@ static void pull_at(const Pulling& p, uint8_t k, uint8_t turn) {
   for (uint8_t i = 0; i < set.maps && !set.kept; ++i)
     place_row(set.map, i, p.rows->y + (k - INT32_C(1)) * stride, p.work.n, slot(p.work, map_slot(set, i)));
   for (uint8_t stream = 0; stream < set.streams && set.warped; ++stream) {
-    const i16* cells[1 + kInverseRows] = {grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.stream[stream].map) + k))};
+    const i16* cells[1 + kInverseRows] = {
+        grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.stream[stream].map) + k))};
     for (uint8_t i = 0; i < kInverseRows; ++i)
       cells[1 + i] = grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.maps + i) + k));
     warp_stream(set, p.work, p.way, stream, turn, p.halo, cells);

@@ -87,8 +87,8 @@ struct FluxSet {
   } stream[kMostStreams];
 };
 
-// The numbers of a plane on a surface. Its tensor in a cell is m V V^T + s V R V^T, V as in surface.hpp, R = [[c, s], [s,
-// -c]] of the doubled direction; spread.mean is m, spread.slope what the vector of that tensor is at most.
+// The numbers of a plane on a surface. Its tensor in a cell is m V V^T + s V R V^T, V as in surface.hpp, R = [[c, s],
+// [s, -c]] of the doubled direction; spread.mean is m, spread.slope what the vector of that tensor is at most.
 struct Warp {
   int32_t round;    // m kOne / (2 slope): of twice the vector of V V^T in Q14, sum in kOne, Q14
   int16_t leaning;  // s / slope, Q14: of the vector of V R V^T

@@ -31,8 +31,8 @@ static Metric torus_metric(const Surface& s, int32_t y) {
   return metric(times(round, round), 0, times(tube, tube));
 }
 
-// Radius a = 1 - ratio sin 2 pi v, v downwards: x_u = a, x_v = width / height (-ratio cos 2 pi v, tall) of the axis' two
-// directions.
+// Radius a = 1 - ratio sin 2 pi v, v downwards: x_u = a, x_v = width / height (-ratio cos 2 pi v, tall) of the axis'
+// two directions.
 static Metric vase_metric(const Surface& s, int32_t y) {
   const int64_t ratio = to_q16(s.ratio);
   const uint16_t turn = turn_at(y, s.height);
@@ -127,8 +127,8 @@ static bool measure_cell(Surface& s) {
 
 // spread * least is at most a half in Q40; what is not 0 is at least 1/256.
 static void finish(Surface& s) {
-  s.lean = static_cast<int32_t>((static_cast<uint64_t>(s.spread) * static_cast<uint64_t>(s.least) +
-                                 (INT64_C(1) << 26) - 1) >> 26);
+  s.lean = static_cast<int32_t>(
+      (static_cast<uint64_t>(s.spread) * static_cast<uint64_t>(s.least) + (INT64_C(1) << 26) - 1) >> 26);
   if (s.lean > 0) s.lean = base::clamp(s.lean, 64, 8192);
 }
 
@@ -152,8 +152,8 @@ static int16_t root_of(int32_t least, int64_t m) {
   return static_cast<int16_t>(root > 16384 ? 16384 : root);
 }
 
-// Of the tensor [[1 / (p^2 + q^2) ...]] in the form that eq. (8) inverts: p = 1 / root xx, r = 1 / root (yy - xy^2 / xx),
-// q = -r xy / xx.
+// Of the tensor [[1 / (p^2 + q^2) ...]] in the form that eq. (8) inverts: p = 1 / root xx, r = 1 / root (yy - xy^2 /
+// xx), q = -r xy / xx.
 static Inverse inverse_of(const Metric& m, int32_t least) {
   const int64_t rest = m.yy - divide_round(static_cast<int64_t>(m.xy) * m.xy, m.xx);
   const int16_t p = root_of(least, m.xx), r = root_of(least, rest > kLeastMetric ? rest : kLeastMetric);

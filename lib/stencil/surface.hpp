@@ -1,6 +1,6 @@
-// Surfaces a texture is grown for [Witkin & Kass 1991, 4]: the metric tensor of every cell, and what undoes it. A pattern
-// grown with V A V^T, V V^T the inverse metric, has on the surface the sizes that one grown with A has in the plane.
-// SPDX-License-Identifier: MIT
+// Surfaces a texture is grown for [Witkin & Kass 1991, 4]: the metric tensor of every cell, and what undoes it. A
+// pattern grown with V A V^T, V V^T the inverse metric, has on the surface the sizes that one grown with A has in the
+// plane. SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/math.hpp"
 #include "../base/status.hpp"
@@ -8,22 +8,22 @@
 
 namespace dapple {
 
-// Squared lengths on the surface of a step to the next cell, and their product: x_u x_u, x_u x_v, x_v x_v; Q16, one cell
-// of the plane is 65536.
+// Squared lengths on the surface of a step to the next cell, and their product: x_u x_u, x_u x_v, x_v x_v; Q16, one
+// cell of the plane is 65536.
 struct Metric {
   int32_t xx, xy, yy;
 };
 constexpr int32_t kMostMetric = INT32_C(1) << 30;
 constexpr int32_t kLeastMetric = 256;  // of the smaller principal value
 
-// A surface and what has been measured of it. `measure` goes over all cells before a texture may begin on it; the struct
-// and what it points to must outlive the texture.
+// A surface and what has been measured of it. `measure` goes over all cells before a texture may begin on it; the
+// struct and what it points to must outlive the texture.
 struct Surface {
   enum Shape : uint8_t {
     flat,
-    torus,   // around the hole along x, around the tube along y; `ratio` of the radii of tube and ring
-    vase,    // around the axis along x, down it along y; a radius of 1 - ratio sin 2 pi v, `tall` its height, ...
-    sphere,  // a face of a cube blown up to a sphere, equal angles from cell to cell; square patches
+    torus,    // around the hole along x, around the tube along y; `ratio` of the radii of tube and ring
+    vase,     // around the axis along x, down it along y; a radius of 1 - ratio sin 2 pi v, `tall` its height, ...
+    sphere,   // a face of a cube blown up to a sphere, equal angles from cell to cell; square patches
     heights,  // a cell for every height, in 1/256 of a cell, patch after patch
     tensors,  // a metric for every cell, patch after patch
   } shape;
@@ -75,8 +75,8 @@ constexpr Surface tensor_surface(uint16_t width, uint16_t height, const Metric* 
 
 constexpr bool is_measured(const Surface& s) { return s.patch == s.patches && s.patches > 0; }
 
-// Up to `rows` rows of cells: more, done, or bad_surface (Surface::patch, x, y say where; also for a ratio that leaves no
-// radius, a missing map, sides below kSmallestSide).
+// Up to `rows` rows of cells: more, done, or bad_surface (Surface::patch, x, y say where; also for a ratio that leaves
+// no radius, a missing map, sides below kSmallestSide).
 Status measure(Surface& surface, uint32_t rows);
 
 // The metric of a cell, 0 <= x < width, 0 <= y < height.

@@ -13,8 +13,8 @@ using i16 = int16_t;
 static inline int32_t by(i16 a, i16 b) { return (static_cast<int32_t>(a) * b) >> 14; }
 
 // Squares and products are Q14; the principal values of V V^T are at most 1, so |p q|, |q r| <= 1/2. A direction is at
-// most 16257 long: every sum of products with it is below 1.1e9 < 2^31. |round * twice the vector| <= kOne 2^14 = 2.7e8 but
-// for the roundings of the squares, which `lean` >= 1/256 keeps below 1e7; leaning * 16257 <= 2.7e8. mean <= 16000.
+// most 16257 long: every sum of products with it is below 1.1e9 < 2^31. |round * twice the vector| <= kOne 2^14 = 2.7e8
+// but for the roundings of the squares, which `lean` >= 1/256 keeps below 1e7; leaning * 16257 <= 2.7e8. mean <= 16000.
 // One step of floor at each shift. With V = 1 x, y are c, s and the mean is m, to the bit.
 void warp_row(const WarpRow& w, const Warp& plane, i16 mean, i16* DAPPLE_RESTRICT x, i16* DAPPLE_RESTRICT y,
               i16* DAPPLE_RESTRICT means, uint16_t n) {
@@ -22,8 +22,10 @@ void warp_row(const WarpRow& w, const Warp& plane, i16 mean, i16* DAPPLE_RESTRIC
   const i16 a = static_cast<i16>(fx * w.c), b = static_cast<i16>(-fx * w.s), d = static_cast<i16>(fy * w.s),
             e = static_cast<i16>(fy * w.c);
   for (uint16_t k = 0; k < n; ++k) {
-    const i16 high_c = static_cast<i16>(static_cast<uint16_t>(w.map[k]) << 8), high_s = static_cast<i16>(w.map[k] & ~255);
-    const int32_t c = base::mulhi(high_c, a) + base::mulhi(high_s, b), s = base::mulhi(high_c, d) + base::mulhi(high_s, e);
+    const i16 high_c = static_cast<i16>(static_cast<uint16_t>(w.map[k]) << 8),
+              high_s = static_cast<i16>(w.map[k] & ~255);
+    const int32_t c = base::mulhi(high_c, a) + base::mulhi(high_s, b),
+                  s = base::mulhi(high_c, d) + base::mulhi(high_s, e);
     const i16 p = w.p[k], q = w.q[k], r = w.r[k];
     const int32_t pp = by(p, p), qq = by(q, q), rr = by(r, r), pq = by(p, q), qr = by(q, r), pr = by(p, r);
     const int32_t lean_x = (c * (pp - qq + rr) + 2 * both * s * pq) >> 15, lean_y = (s * pr - both * c * qr) >> 14;

@@ -68,7 +68,9 @@ class Canvas {
     const Point &a = first.at, &b = second.at, &c = third.at;
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (std::fabs(area) < 1e-9) return;
-    const auto clamped = [](double v, uint32_t most) { return static_cast<uint32_t>(std::clamp(v, 0.0, double(most))); };
+    const auto clamped = [](double v, uint32_t most) {
+      return static_cast<uint32_t>(std::clamp(v, 0.0, double(most)));
+    };
     const uint32_t left = clamped(std::floor(std::min({a.x, b.x, c.x})), width_ - 1),
                    right = clamped(std::ceil(std::max({a.x, b.x, c.x})), width_ - 1),
                    top = clamped(std::floor(std::min({a.y, b.y, c.y})), height_ - 1),
@@ -132,7 +134,8 @@ void paint_quad(Canvas& canvas, const Corner* corner) {
   const Point light = unit({-0.45, -0.45, 0.8});
   Point normal = unit(cross(corner[1].at - corner[0].at, corner[2].at - corner[0].at));
   if (normal.z < 0) normal = -1 * normal;
-  const double lambert = std::max(0.0, dot(normal, light)), half = std::max(0.0, dot(normal, unit({-0.45, -0.45, 1.8})));
+  const double lambert = std::max(0.0, dot(normal, light)),
+               half = std::max(0.0, dot(normal, unit({-0.45, -0.45, 1.8})));
   const double shade = 0.3 + 0.75 * lambert, shine = 40 * std::pow(half, 40);
   canvas.triangle(corner[0], corner[1], corner[2], shade, shine);
   canvas.triangle(corner[1], corner[3], corner[2], shade, shine);
@@ -147,7 +150,8 @@ void colour_of(const Skin& skin, uint8_t patch, uint32_t x, uint32_t y, double* 
       return repeats ? (at + size - back) % size : std::min(size - 1, std::max(at, back) - back);
     };
     const uint32_t i = cell(x, k & 1, s.width, round), j = cell(y, k >> 1, s.height, tube);
-    const uint8_t* const from = skin.strip.rgb.data() + 3 * (size_t{j} * skin.strip.width + patch * size_t{s.width} + i);
+    const uint8_t* const from =
+        skin.strip.rgb.data() + 3 * (size_t{j} * skin.strip.width + patch * size_t{s.width} + i);
     for (size_t c = 0; c < 3; ++c) rgb[c] += from[c] / 4.0;
   }
 }

@@ -169,18 +169,25 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) { o.count = number("--count", v, 1, 1000); }},
     {"--json", nullptr, in_rule, "of settle, score, complete and random: the answer as JSON",
      [](Options& o, const std::string&) { o.json = true; }},
-    {"--size", "N|WxH", in_surface, "cells of a patch (torus 384x192, vase 256x256, sphere and atlas 96; else the file's)",
-     read_size},
-    {"--ratio", "R", in_surface, ".01 to .95: of a torus, the tube's radius in the ring's (.5); of a vase, its swell (.45)",
-     [](Options& o, const std::string& v) { o.ratio = decimal("--ratio", v, 10000, 950000, "a number from .01 to .95"); }},
-    {"--tall", "T", in_surface, ".01 to 10: of a vase, its height in mean circumferences (.9); of --heights, white in\n"
-     "widths of the picture (.1)",
-     [](Options& o, const std::string& v) { o.tall = decimal("--tall", v, 10000, 10000000, "a number from .01 to 10"); }},
+    {"--size", "N|WxH", in_surface,
+     "cells of a patch (torus 384x192, vase 256x256, sphere and atlas 96; else the file's)", read_size},
+    {"--ratio", "R", in_surface,
+     ".01 to .95: of a torus, the tube's radius in the ring's (.5); of a vase, its swell (.45)",
+     [](Options& o, const std::string& v) {
+       o.ratio = decimal("--ratio", v, 10000, 950000, "a number from .01 to .95");
+     }},
+    {"--tall", "T", in_surface,
+     ".01 to 10: of a vase, its height in mean circumferences (.9); of --heights, white in\nwidths of the picture (.1)",
+     [](Options& o, const std::string& v) {
+       o.tall = decimal("--tall", v, 10000, 10000000, "a number from .01 to 10");
+     }},
     {"--heights", "FILE", in_surface, "of flat: a PGM, PPM or PNG picture, a height for every cell",
      [](Options& o, const std::string& v) { o.heights = file_name("--heights", v); }},
-    {"--metric", "FILE", in_surface, "of flat: text, 'WIDTH HEIGHT [PATCHES]' and xx xy yy of every cell's metric tensor",
+    {"--metric", "FILE", in_surface,
+     "of flat: text, 'WIDTH HEIGHT [PATCHES]' and xx xy yy of every cell's metric tensor",
      [](Options& o, const std::string& v) { o.metric = file_name("--metric", v); }},
-    {"--atlas", "FILE", in_surface, "of flat: text, lines 'PATCH SIDE PATCH SIDE [reversed]', 'PATCH SIDE closed' or\n"
+    {"--atlas", "FILE", in_surface,
+     "of flat: text, lines 'PATCH SIDE PATCH SIDE [reversed]', 'PATCH SIDE closed' or\n"
      "'PATCH SIDE fixed A B'; sides are left, right, top, bottom, those not named closed",
      [](Options& o, const std::string& v) { o.atlas = file_name("--atlas", v); }},
     {"--preview", "FILE", in_surface, "write a picture of the object too, without and with correction",
@@ -200,7 +207,8 @@ const Option kOptions[] = {
        if (v.empty()) refuse_value("-o", v, "the name of a folder");
        o.output = v;
      }},
-    {"--seed", "N", in_grow | in_sheet | in_stream | in_tiles | in_surface, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
+    {"--seed", "N", in_grow | in_sheet | in_stream | in_tiles | in_surface,
+     "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
@@ -208,7 +216,8 @@ const Option kOptions[] = {
      "how map=@FILE (PGM, PPM, PNG) is read: structure, stripes along what the picture shows;\n"
      "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
      [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
-    {"-o", "FILE", in_grow | in_sheet | in_surface, "file to write; its suffix picks the format; - is standard output", read_output},
+    {"-o", "FILE", in_grow | in_sheet | in_surface,
+     "file to write; its suffix picks the format; - is standard output", read_output},
     {"--format", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",
      [](Options& o, const std::string& v) { o.format = static_cast<Format>(choice("--format", v, kFormats)); }},
@@ -218,15 +227,18 @@ const Option kOptions[] = {
      "for raw and c: l8, rgb888, rgba8888, rgb565, rgb565_swapped, l1_msb, l1_lsb,\n"
      "l1_pages (rgba8888); for png the first three, for qoi two of them (rgb888)",
      [](Options& o, const std::string& v) { o.pixels = static_cast<dapple::Pixels>(choice("--pixels", v, kPixels)); }},
-    {"--ramp", "NAME|STOPS", in_grow | in_tiles | in_surface, "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
-    {"--dither", nullptr, in_grow | in_sheet | in_tiles | in_surface, "ordered dither, for pixels of less than eight bits a channel",
+    {"--ramp", "NAME|STOPS", in_grow | in_tiles | in_surface,
+     "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
+    {"--dither", nullptr, in_grow | in_sheet | in_tiles | in_surface,
+     "ordered dither, for pixels of less than eight bits a channel",
      [](Options& o, const std::string&) { o.dither = true; }},
     {"--flip-y", nullptr, in_grow | in_sheet | in_tiles | in_surface, "normal maps whose green points down",
      [](Options& o, const std::string&) { o.flip_y = true; }},
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
     {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
-    {"--threads", "N", in_grow | in_info | in_tiles | in_surface, "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
+    {"--threads", "N", in_grow | in_info | in_tiles | in_surface,
+     "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},

@@ -36,8 +36,8 @@ void set_size(const Options& options, uint16_t width, uint16_t height, dapple::S
 // Of a file that says itself how large it is.
 void check_size(const Options& options, const std::string& path, uint16_t width, uint16_t height) {
   if (options.width == 0 || (options.width == width && options.height == height)) return;
-  refuse("--size " + size_text(options.width, options.height) + ": " + shown(path) + " has " + size_text(width, height) +
-         " cells");
+  refuse("--size " + size_text(options.width, options.height) + ": " + shown(path) + " has " +
+         size_text(width, height) + " cells");
 }
 
 // The recipe's sides; a vase ends above and below.
@@ -57,8 +57,7 @@ void set_sides(const Subject& subject, const std::string& shape, Ground& ground)
 void read_atlas_for(const Options& options, Ground& ground) {
   ground.patch = read_atlas(options.atlas);
   if (ground.surface.width == 0) set_size(options, 96, 96, ground.surface);
-  for (size_t i = 0; i < ground.patch.size(); ++i)
-    ground.patch[i].x = static_cast<int32_t>(i) * ground.surface.width;
+  for (size_t i = 0; i < ground.patch.size(); ++i) ground.patch[i].x = static_cast<int32_t>(i) * ground.surface.width;
   if (ground.surface.shape != dapple::Surface::tensors) return;
   const size_t maps = ground.metric.patches;
   if (maps != 1 && maps != ground.patch.size())
@@ -89,7 +88,14 @@ void make_ready(const Options& options, Shape shape, Ground& ground) {
                        ? dapple::vase_surface(0, 0, options.ratio.value_or(450000), options.tall.value_or(900000))
                        : dapple::sphere_surface(0);
   dapple::Surface& s = ground.surface;
-  set_size(options, shape == torus ? 384 : shape == vase ? 256 : 96, shape == torus ? 192 : shape == vase ? 256 : 96, s);
+  set_size(options,
+           shape == torus  ? 384
+           : shape == vase ? 256
+                           : 96,
+           shape == torus  ? 192
+           : shape == vase ? 256
+                           : 96,
+           s);
   if (shape != sphere) return;
   if (s.width != s.height) refuse("--size " + size_text(s.width, s.height) + ": the faces of a sphere are squares");
   ground.patch.resize(6);
@@ -199,7 +205,8 @@ void write_preview(const Subject& subject, const Ground& ground, Cloth& cloth, c
   const uint16_t height = ground.surface.height;
   const Raster before = raster_of(plain, height), after = raster_of(cloth, height);
   const auto repeats = [&](uint8_t side) {
-    return ground.patch.empty() || (ground.patch.size() == 1 && ground.patch[0].side[side].kind == dapple::Side::joined);
+    return ground.patch.empty() ||
+           (ground.patch.size() == 1 && ground.patch[0].side[side].kind == dapple::Side::joined);
   };
   const bool round_x = repeats(dapple::Side::left), round_y = repeats(dapple::Side::top);
   const Raster left = object_picture({ground.surface, before, round_x, round_y}, kWide, kHigh),
@@ -245,7 +252,10 @@ std::string surface_help() {
 
 void surface(const Options& options) {
   Subject subject = subject_of(options);
-  const Shape shape = options.shape == "torus" ? torus : options.shape == "vase" ? vase : options.shape == "sphere" ? sphere : flat;
+  const Shape shape = options.shape == "torus"    ? torus
+                      : options.shape == "vase"   ? vase
+                      : options.shape == "sphere" ? sphere
+                                                  : flat;
   dapple::PlaceMaps unused{};
   dapple::Recipe probe = subject.recipe;
   if (!set_surface(probe, unused))
@@ -262,7 +272,8 @@ void surface(const Options& options) {
   fit_seeds(subject, ground);
   measure_all(ground, options.metric.empty() ? options.heights : options.metric);
   Cloth cloth(subject, ground, ground.surface, options);
-  if (cloth.width() > UINT16_MAX) refuse("the patches side by side are " + std::to_string(cloth.width()) + " pixels wide; 65535 are the most");
+  if (cloth.width() > UINT16_MAX)
+    refuse("the patches side by side are " + std::to_string(cloth.width()) + " pixels wide; 65535 are the most");
   Progress progress;
   if (options.hash) {
     cloth.grow(options.budget, progress);

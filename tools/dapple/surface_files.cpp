@@ -49,7 +49,8 @@ uint32_t whole(const std::string& path, size_t line, const std::string& word, ui
   const bool digits = !word.empty() && word.size() < 9 && word.find_first_not_of("0123456789") == std::string::npos;
   const uint32_t value = digits ? static_cast<uint32_t>(std::stoul(word)) : 0;
   if (!digits || value < low || value > high)
-    broken(path, line, shown(word) + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    broken(path, line,
+           shown(word) + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   return value;
 }
 
@@ -74,8 +75,7 @@ void read_side(const std::string& path, const Line& line, std::vector<dapple::Pa
   const bool closed = count == 3 && w[2] == "closed", fixed = count == 5 && w[2] == "fixed",
              reversed = count == 5 && w[4] == "reversed";
   if (!closed && !fixed && !reversed && count != 4)
-    broken(path, line.number,
-           "give PATCH SIDE PATCH SIDE [reversed], PATCH SIDE closed, or PATCH SIDE fixed A B");
+    broken(path, line.number, "give PATCH SIDE PATCH SIDE [reversed], PATCH SIDE closed, or PATCH SIDE fixed A B");
   const uint8_t first = patch(0), side = side_named(path, line.number, w[1]);
   if (closed) return put_side(all, first, side, dapple::closed_side());
   if (fixed)
@@ -137,7 +137,8 @@ HeightMap read_heights(const std::string& path, int32_t tall) {
   HeightMap map{static_cast<uint16_t>(picture.width), static_cast<uint16_t>(picture.height), {}};
   const int64_t white = dapple::base::divide_round(int64_t{tall} * picture.width * 256, dapple::base::kMicro);
   if (white > INT16_MAX)
-    fail("picture " + shown(path) + ": white would be " + std::to_string(white / 256) + " cells high; the most are 127 (--tall)");
+    fail("picture " + shown(path) + ": white would be " + std::to_string(white / 256) +
+         " cells high; the most are 127 (--tall)");
   for (uint32_t y = 0; y < picture.height; ++y)
     for (uint32_t x = 0; x < picture.width; ++x)
       map.heights.push_back(static_cast<int16_t>(white * picture.grey(x, y) / 255));

@@ -23,8 +23,8 @@ struct HeightMap {
 };
 HeightMap read_heights(const std::string& path, int32_t tall);
 
-// Lines of text; what is not named is closed. Fails for a line it cannot read, and for the first side that does not pair
-// up.
+// Lines of text; what is not named is closed. Fails for a line it cannot read, and for the first side that does not
+// pair up.
 std::vector<dapple::Patch> read_atlas(const std::string& path);
 
 }  // namespace cli
