@@ -19,6 +19,7 @@
 #include "evolve/field.hpp"
 #include "evolve/ghosts.hpp"
 #include "recipe/presets.hpp"
+#include "recipe/sides.hpp"
 
 namespace dapple {
 
@@ -118,35 +119,6 @@ constexpr uint32_t halo_of(const Recipe& recipe) {
   return halo > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(halo);
 }
 
-// Ghost cells of a patch: what one sweep needs, and one for light and refinement.
-constexpr uint32_t pad_of(const Recipe& recipe, uint16_t multiple) {
-  uint32_t pad = 1;
-  for (uint8_t i = 0; i < recipe.stages; ++i) {
-    const Stage& s = recipe.stage[i];
-    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
-    const uint32_t cells = static_cast<uint32_t>(reach.span > 0 ? reach.span : reach.stride) << s.level;
-    pad = cells > pad ? cells : pad;
-  }
-  return (pad + multiple - 1) / multiple * multiple;
-}
-
-// A patch: its sides, and that it is larger than its ghost cells' sources.
-constexpr Status check_patch(const Recipe& recipe, const Domain& d, Need& need) {
-  const Patches& all = *d.patches;
-  const bool listed = all.patch != nullptr && all.count >= 1 && all.count <= kMostPatches && d.patch < all.count;
-  if (!listed || !d.plane || d.x != all.patch[d.patch].x || d.y != all.patch[d.patch].y) return bad_sides;
-  if (d.width != all.width || d.height != all.height || recipe.stage[0].model->cell == grid::Cell::bit) return bad_sides;
-  if (first_unpaired(all).found) return bad_sides;
-  need.halo = pad_of(recipe, need.multiple);
-  need.width = need.height = static_cast<uint16_t>(need.halo < kSmallestSide ? kSmallestSide : need.halo);
-  const Patch& p = all.patch[d.patch];
-  const auto whole = [&](int32_t cells) { return cells % need.multiple == 0; };
-  if (!whole(d.width) || !whole(d.height) || !whole(p.x) || !whole(p.y)) return not_a_multiple;
-  if (p.x < -kFarthest / 2 || p.y < -kFarthest / 2 || p.x > kFarthest / 2 || p.y > kFarthest / 2) return too_far;
-  if (d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u) return too_large;
-  return d.width < need.width || d.height < need.height ? tile_too_small : ok;
-}
-
 // A window, before and with its halo.
 constexpr Status check_window(const Domain& d, Need& need) {
   if (need.halo > kWidestHalo) return halo_too_wide;
@@ -195,7 +167,12 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
     if (accepted != ok) return accepted;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
-  if (domain.patches != nullptr) return domain.corners != nullptr ? bad_sides : check_patch(recipe, domain, need);
+  if (domain.patches != nullptr) {
+    if (domain.corners != nullptr) return bad_sides;
+    need.width = need.height = least_side(recipe, need.multiple);
+    need.halo = pad_of(recipe, need.multiple);
+    return check_patch(recipe, domain, need.multiple);
+  }
   if (has_sides(recipe)) return bad_sides;
   if (domain.corners != nullptr) {
     const Status status = check_corners(recipe, domain, need);
@@ -291,32 +268,6 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 }  // namespace api
-
-// Hands the directions of map=image, the styles of solver=styled and the measured surface of solver=surface to every stage of a
-// recipe. begin looks at them, and answers bad_map or bad_surface where they are wanted and missing, or of a wrong size.
-constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
-  for (uint8_t i = 0; i < recipe.stages; ++i)
-    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
-}
-
-// The same of a surface, for recipes of the threshold family too: threshold's tensors become those of map=none or
-// map=isotropic. False for other families, or where the recipe's stages are of several.
-constexpr bool set_surface(Recipe& recipe, const PlaceMaps& maps) {
-  for (uint8_t i = 0; i < recipe.stages; ++i) {
-    Stage& s = recipe.stage[i];
-    if (s.model != &threshold_model && s.model != &mapped_model) return false;
-    if (s.model == &threshold_model) {
-      const bool round = s.number[threshold::diffusion] == threshold::isotropic;
-      s.number[mapped::map] = round ? mapped::isotropic_pairs : mapped::none;
-      s.number[mapped::detail] = mapped::kDetail[0];
-    }
-    s.model = &mapped_model;
-    s.solver = &evolve::surface;
-    s.stored = &maps;
-  }
-  recipe.blocks = nullptr;
-  return true;
-}
 
 // What `recipe` needs on `domain`: constexpr where the recipe is. kept: Options::kept.
 constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
