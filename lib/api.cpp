@@ -20,6 +20,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
                       size_t bytes, const Options& options, Need* need) {
   evolve::Parts parts{};
   Need wanted = api::need_of(checked, domain, options.bands, options.kept, parts);
+  if (wanted.status == ok && domain.patches != nullptr && domain.patches->count > 1) wanted.status = bad_sides;
   if (wanted.status == ok && (memory == nullptr || bytes < wanted.bytes)) wanted.status = too_little_memory;
   if (need != nullptr) *need = wanted;
   if (wanted.status != ok) return wanted.status;
@@ -29,8 +30,10 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   rows_in_all_ = wanted.rows;
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
   const Domain grown = api::with_edge(domain);
+  evolve::Ghosts ghosts{};
+  if (domain.patches != nullptr) ghosts.seal = evolve::seal_row;
   const evolve::Setup setup = {plan,           grown, api::ground_of(domain, wanted), parts, base::aligned4(memory),
-                               options.kernels, seed,  options.bands};
+                               options.kernels, seed,  options.bands, ghosts};
   lay_out(setup, stored, domain);
   if (wanted.block == 0) {
     evolve::begin(run_, setup);
@@ -50,14 +53,29 @@ Status Texture::begin(const Fixed& fixed, uint32_t seed, void* memory, size_t by
   rows_in_all_ = need.rows;
   const evolve::Plan plan = {&fixed.recipe.start, fixed.recipe.stage, base::rom_load(&fixed.recipe.stages), true};
   const Domain domain = base::rom_load(&fixed.domain);
-  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1};
+  evolve::Setup setup = {plan, api::with_edge(domain), base::rom_load(&fixed.ground), base::rom_load(&fixed.parts), base::aligned4(memory), nullptr, seed, 1, {}};
   setup.parts.frugal = frugal_;
   lay_out(setup, &fixed.recipe, domain);
   evolve::begin(run_, setup);
   return ok;
 }
 
-// Lays out the memory: planes, scratch, table, bands, blocks, painting (frugal: where scratch is). All has been checked.
+// A patch of an atlas, which has checked everything.
+void Texture::begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+                          const evolve::Ghosts& ghosts) {
+  evolve::Parts parts{};
+  const Need need = api::need_of(recipe, domain, options.bands, 0, parts);
+  rom_ = frugal_ = false;
+  rows_in_all_ = need.rows;
+  const evolve::Plan plan = {&recipe.start, recipe.stage, recipe.stages, false};
+  const evolve::Setup setup = {plan, api::with_edge(domain), api::ground_of(domain, need), parts, memory, options.kernels,
+                               seed, options.bands, ghosts};
+  lay_out(setup, &recipe, domain);
+  evolve::begin(run_, setup);
+}
+
+// Lays out the memory: planes, scratch, table, bands, ghosts or blocks, painting (frugal: where scratch is). All has been
+// checked.
 void Texture::lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain) {
   const evolve::Parts& parts = setup.parts;
   recipe_ = recipe;
@@ -65,7 +83,7 @@ void Texture::lay_out(const evolve::Setup& setup, const Recipe* recipe, const Do
   domain_ = domain;
   blocks_ = nullptr;
   rows_seen_ = UINT64_MAX;
-  field_ = setup.memory + parts.planes + parts.table + parts.bands + parts.blocks + (frugal_ ? 0 : parts.scratch);
+  field_ = setup.memory + parts.planes + parts.table + parts.bands + parts.ghosts + parts.blocks + (frugal_ ? 0 : parts.scratch);
   work_ = field_ + (frugal_ ? 1 : 3) * grid::scratch_bytes(grid::Cell::int16, setup.domain.width, 1);
 }
 

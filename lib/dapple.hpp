@@ -7,8 +7,9 @@
 //   while (tile.step(8) == dapple::more) watchdog();
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
-// The domain is a torus, or a window of the endless plane: dapple::window(x, y, width, height). Recipes that run too long for
-// a halo have no plane, but for the threshold family, which decides it in blocks.
+// The domain is a torus, a window of the endless plane, dapple::window(x, y, width, height), or a patch whose sides are closed,
+// fixed, or joined to each other, dapple::on_patch(patches, 0), which a recipe with sides must have; atlas.hpp grows many
+// patches together. Recipes that run too long for a halo have no plane, but for the threshold family, which decides it in blocks.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
@@ -16,9 +17,11 @@
 #pragma once
 #include "evolve/corners.hpp"
 #include "evolve/field.hpp"
+#include "evolve/ghosts.hpp"
 #include "evolve/work.hpp"
 #include "paint/mip.hpp"
 #include "recipe/presets.hpp"
+#include "recipe/sides.hpp"
 
 namespace dapple {
 
@@ -58,7 +61,8 @@ namespace api {
 
 // A window is grown with one more cell on every side, so that light falls across its edges as if there were none.
 constexpr Domain with_edge(const Domain& d) {
-  return d.plane ? window(d.x - 1, d.y - 1, static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2)) : d;
+  if (!d.plane) return d;
+  return {static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, nullptr, d.patches, d.patch};
 }
 
 constexpr uint16_t side(int64_t micro) {
@@ -109,7 +113,7 @@ constexpr uint32_t halo_of(const Recipe& recipe) {
   uint64_t halo = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
     halo += (static_cast<uint64_t>(s.steps) * reach.spread) << s.level;
     if (s.entry == Entry::refine) halo += 2u << s.level;
     if (i + 1 == recipe.stages) halo += static_cast<uint32_t>(reach.field_radius + s.level + 1u) << s.level;
@@ -125,16 +129,11 @@ constexpr Status check_window(const Domain& d, Need& need) {
   return d.width + 2u * need.halo > 65000u || d.height + 2u * need.halo > 65000u ? too_large : ok;
 }
 
-// Whether a stage grows all tiles by the same rule.
-constexpr bool treats_alike(const Stage& s) {
-  return s.solver->sharing != evolve::Sharing::none && (s.solver->alike == nullptr || s.solver->alike(s.number));
-}
-
 // Of corner tiles, which are a square torus: need speaks of all of them, four either way.
 constexpr Status check_corners(const Recipe& recipe, const Domain& domain, Need& need) {
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    if (s.steps == 0 || !treats_alike(s) || s.model->cell != grid::Cell::int16) return no_corners;
+    if (s.steps == 0 || !evolve::treats_alike(s) || s.model->cell != grid::Cell::int16) return no_corners;
   }
   smallest(recipe, 3, need);
   const uint16_t side = need.width > need.height ? need.width : need.height;
@@ -160,9 +159,18 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   smallest(recipe, 2, need);
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+    if (s.solver->accepts == nullptr) continue;
+    const Status accepted = s.solver->accepts(s.number, s.stored, domain);
+    if (accepted != ok) return accepted;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
+  if (domain.patches != nullptr) {
+    if (domain.corners != nullptr) return bad_sides;
+    need.width = need.height = least_side(recipe, need.multiple);
+    need.halo = pad_of(recipe, need.multiple);
+    return check_patch(recipe, domain, need.multiple);
+  }
+  if (has_sides(recipe)) return bad_sides;
   if (domain.corners != nullptr) {
     const Status status = check_corners(recipe, domain, need);
     if (status != ok) return status;
@@ -200,7 +208,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands, domain.corners != nullptr ? evolve::corner_rows(*s.solver) : uint8_t{0});
-    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
+    const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level, s.stored);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;
     need.rows += evolve::work_rows(s, *s.model, reach, ground, domain.plane, spent);
@@ -208,6 +216,10 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
     if (domain.corners != nullptr) add_corners(recipe, s, ground, steps, need);
     steps += s.steps;
   }
+  if (ground.patches == nullptr) return parts;
+  parts.bands = grid::align4(parts.bands);
+  parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) &&
+               parts.planes <= evolve::kMostGhostBytes;
   return parts;
 }
 
@@ -225,7 +237,7 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
   size_t most = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level), ground, domain.plane, domain.width, s.level);
+    const size_t bytes = evolve::field_bytes(*s.model, s.solver->reach(*s.model, s.number, s.level, s.stored), ground, domain.plane, domain.width, s.level);
     most = bytes > most ? bytes : most;
   }
   return 3 * grid::scratch_bytes(grid::Cell::int16, domain.width, 1) + most;
@@ -243,7 +255,7 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
   need.planes = parts.planes;
   need.scratch = parts.scratch;
   need.paint = paint_bytes(recipe, with_edge(domain), ground);
-  need.rest = parts.table + parts.bands + parts.blocks + kSlack;
+  need.rest = parts.table + parts.bands + parts.ghosts + parts.blocks + kSlack;
   size_t total = 0;
   const bool fits = parts.fits && base::add_bytes(total, 1, need.planes) && base::add_bytes(total, 1, need.scratch) &&
                     base::add_bytes(total, 1, need.paint) && base::add_bytes(total, 1, need.rest);
@@ -253,13 +265,6 @@ constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands
 }
 
 }  // namespace api
-
-// Hands the directions of map=image and the styles of solver=styled to every stage of a recipe. begin looks at them, and answers bad_map
-// where they are wanted and missing, or of a size out of range.
-constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
-  for (uint8_t i = 0; i < recipe.stages; ++i)
-    if (recipe.stage[i].model == &mapped_model) recipe.stage[i].stored = &maps;
-}
 
 // What `recipe` needs on `domain`: constexpr where the recipe is. kept: Options::kept.
 constexpr Need need_for(const Recipe& recipe, const Domain& domain, uint8_t bands = 1, uint16_t kept = 0) {
@@ -298,6 +303,7 @@ constexpr Fixed fixed(const Recipe& recipe, const Domain& domain, bool frugal = 
   Fixed f{recipe, domain, Need{}, evolve::Parts{}, grid::Ground{}, frugal};
   f.recipe.blocks = nullptr;
   f.need = api::need_of(f.recipe, domain, 1, 0, f.parts);
+  if (f.need.status == ok && domain.patches != nullptr) f.need.status = bad_sides;
   if (f.need.status != ok) return f;
   f.ground = api::ground_of(domain, f.need);
   if (!frugal) return f;
@@ -364,8 +370,11 @@ class Texture {
   bool decided() const { return blocks_ == nullptr || blocks_->doing == evolve::Doing::shading; }
 
  private:
+  friend class Atlas;
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
+  void begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
+                   const evolve::Ghosts& ghosts);
   void lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   bool look_at(uint16_t y, paint::Source& source);

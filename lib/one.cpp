@@ -1,6 +1,7 @@
 // The whole library as one translation unit, for firmware projects: compile this file and nothing else of lib/.
 // SPDX-License-Identifier: MIT
 #include "base/math.cpp"
+#include "grid/patch.cpp"
 #include "grid/rows.cpp"
 #include "start/corner_seeds.cpp"
 #include "start/noise.cpp"
@@ -14,6 +15,8 @@
 #include "stencil/sliced.cpp"
 #include "stencil/spectrum.cpp"
 #include "stencil/steer.cpp"
+#include "stencil/surface.cpp"
+#include "stencil/warp.cpp"
 #include "model/cells.cpp"
 #include "model/gray_scott.cpp"
 #include "model/threshold.cpp"
@@ -27,6 +30,7 @@
 #include "evolve/field.cpp"
 #include "evolve/flux.cpp"
 #include "evolve/gaussian.cpp"
+#include "evolve/ghosts.cpp"
 #include "evolve/refine.cpp"
 #include "evolve/run.cpp"
 #include "evolve/steering.cpp"
@@ -34,4 +38,5 @@
 #include "recipe/list.cpp"
 #include "recipe/write.cpp"
 #include "api.cpp"
+#include "atlas.cpp"
 #include "chunks.cpp"

@@ -33,7 +33,7 @@ struct Diffusion {
   Diffusion(const dapple::Recipe& recipe, uint32_t seed) {
     const dapple::Stage& stage = recipe.stage[0];
     const dapple::Model& model = *stage.model;
-    const dapple::evolve::Reach reach = stage.solver->reach(model, stage.number, 0);
+    const dapple::evolve::Reach reach = stage.solver->reach(model, stage.number, 0, nullptr);
     const uint8_t count = model.planes(stage.number);
     const size_t cells = size_t{kWidth} * kHeight;
     std::mt19937 random(seed);

@@ -35,7 +35,7 @@ template <class F> double exponent(int least, int most, F recipe_at) {
 
 uint32_t step_of(const dapple::Recipe& recipe) {
   const dapple::Stage& stage = recipe.stage[0];
-  return dapple::evolve::updates_of_step(*stage.solver, *stage.model, stage.number, stage.level);
+  return dapple::evolve::updates_of_step(*stage.solver, *stage.model, stage.number, stage.level, stage.stored);
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ enum Status : int8_t {
   halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
   bad_map = -19,        // map=image or solver=styled without an image, or with one of a wrong size
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
+  bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
+  bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size
 };
 
 }  // namespace dapple

@@ -119,14 +119,14 @@ constexpr uint8_t kShadeSteps = 3;
 constexpr int32_t kShadeLength[kShadeSteps] = {207356, 90276, 65536};  // Q16 macro steps
 constexpr int32_t kShadeAmount[kShadeSteps] = {1785, 3067, 3148};      // their sum is 8000
 
-constexpr Reach given_reach(const Model& model, const int32_t* number, uint8_t level) {
-  Reach reach = gaussian_reach(model, number, level);
+constexpr Reach given_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
+  Reach reach = gaussian_reach(model, number, level, nullptr);
   reach.table = (sizeof(const void*) + 3) / 4;
   return reach;
 }
 // sweeps and spread are those of the three steps together.
-constexpr Reach shading_reach(const Model& model, const int32_t* number, uint8_t level) {
-  Reach most = given_reach(model, number, level);
+constexpr Reach shading_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
+  Reach most = given_reach(model, number, level, nullptr);
   most.sweeps = most.spread = 0;
   for (const int32_t length : kShadeLength) {
     const Reach reach = passes_reach(model, number, level, length);
@@ -288,7 +288,7 @@ constexpr void add_blocks(Parts& parts, const BlockPlan& plan, const Ground& win
 // Rows of work of a window once all is decided: gathered and shaded.
 constexpr uint64_t shade_rows(const BlockPlan& plan, uint16_t height) {
   const Stage& s = plan.shade;
-  const Reach reach = shading_reach(*s.model, s.number, 0);
+  const Reach reach = shading_reach(*s.model, s.number, 0, nullptr);
   return static_cast<uint64_t>(height) * (1u + s.model->planes(s.number) + reach.sweeps);
 }
 // Of a block: a chunk is grown, others are shaded and solved; then it is kept.
@@ -299,7 +299,7 @@ constexpr uint64_t block_rows(const BlockPlan& plan, uint8_t layer) {
   uint32_t spent = 0;
   for (uint8_t i = chunk ? 0 : 1; i < (chunk ? plan.stages : 2); ++i) {
     const Stage& s = chunk ? plan.chunk[i] : plan.again[i];
-    rows += work_rows(s, *s.model, s.solver->reach(*s.model, s.number, s.level), ground, false, spent);
+    rows += work_rows(s, *s.model, s.solver->reach(*s.model, s.number, s.level, s.stored), ground, false, spent);
   }
   return rows;
 }
@@ -316,12 +316,12 @@ struct BlockNeed {
 
 constexpr BlockShape block_shape(const Growth& growth) {
   const Stage& last = growth.stage[growth.stages - 1];
-  return {block_grid(pattern_length(growth)).side, shading_reach(*last.model, last.number, 0).spread};
+  return {block_grid(pattern_length(growth)).side, shading_reach(*last.model, last.number, 0, nullptr).spread};
 }
 
 constexpr BlockNeed block_need(const Growth& growth, const Ground& window, uint8_t bands, uint16_t kept) {
   const BlockPlan plan = block_plan(growth);
-  const Reach reach = shading_reach(*plan.shade.model, plan.shade.number, 0);
+  const Reach reach = shading_reach(*plan.shade.model, plan.shade.number, 0, nullptr);
   const Cover cover = cover_of(plan.grid, box_of(window));
   BlockNeed need{{0, 0, 0, sizeof(Band) * bands, true}, reach.stride, reach.sweeps, shade_rows(plan, window.height)};
   add_blocks(need.parts, plan, window, bands, kept);

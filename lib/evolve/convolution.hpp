@@ -45,8 +45,8 @@ constexpr Reach convolution_reach(const int32_t* number, bool kept) {
   return {1, r, r, 0, 0, 0, 1, r, table, r, r, kept ? stencil::kept_bytes(r, masks) : static_cast<uint8_t>(0),
           stencil::copies_space(r)};
 }
-constexpr Reach sliced_reach(const Model&, const int32_t* number, uint8_t) { return convolution_reach(number, true); }
-constexpr Reach lean_reach(const Model&, const int32_t* number, uint8_t) { return convolution_reach(number, false); }
+constexpr Reach sliced_reach(const Model&, const int32_t* number, uint8_t, const void*) { return convolution_reach(number, true); }
+constexpr Reach lean_reach(const Model&, const int32_t* number, uint8_t, const void*) { return convolution_reach(number, false); }
 
 bool sliced_next(const Context& context, Cursor& cursor, Sweep& sweep);
 bool lean_next(const Context& context, Cursor& cursor, Sweep& sweep);
@@ -60,7 +60,7 @@ int32_t grown_wavelength(const int32_t* number);
 int32_t grown_of(const stencil::MaskShape& shape);
 
 // Masks the compiler has made: Stage::stored is the place of them. Nothing but it is kept in memory.
-constexpr Reach stored_reach(const Model&, const int32_t* number, uint8_t) {
+constexpr Reach stored_reach(const Model&, const int32_t* number, uint8_t, const void*) {
   Reach reach = convolution_reach(number, false);
   reach.table = sizeof(const void*) > 4 ? 2 : 1;
   return reach;

@@ -21,6 +21,11 @@ struct Corners {
                     uint16_t y, void* row);
 };
 
+// Whether a stage grows all tiles by the same rule.
+constexpr bool treats_alike(const Stage& s) {
+  return s.solver->sharing != Sharing::none && (s.solver->alike == nullptr || s.solver->alike(s.number));
+}
+
 constexpr uint16_t tile_side(const Ground& ground, uint8_t level) {
   return at_level(static_cast<uint16_t>(ground.width / grid::kTilesAcross), level);
 }

@@ -7,7 +7,8 @@
 namespace dapple::evolve {
 
 static uint16_t period(const Context& context, uint16_t size) {
-  return static_cast<uint16_t>((context.plane ? stencil::kPlanePeriod : size) >> context.level);
+  const bool window = context.plane && context.ground->patches == nullptr;
+  return static_cast<uint16_t>((window ? stencil::kPlanePeriod : size) >> context.level);
 }
 
 static stencil::DirectionMap::Kind kind_of(int32_t map) {
@@ -40,8 +41,9 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
   const int64_t detail = number[mapped::detail];
   m = stencil::DirectionMap{};
   m.kind = kind_of(number[mapped::map]);
-  m.width = period(context, context.ground->width);
-  m.height = period(context, context.ground->height);
+  const Patches* const patches = context.ground->patches;
+  m.width = period(context, patches != nullptr ? patches->width : context.ground->width);
+  m.height = period(context, patches != nullptr ? patches->height : context.ground->height);
   m.rows = static_cast<uint16_t>(context.ground->height >> context.level);
   m.x = context.ground->x >> context.level;
   m.y = context.ground->y >> context.level;
@@ -58,6 +60,10 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
   m.c2 = static_cast<int16_t>(base::cosine(turn) >> 3);
   m.s2 = static_cast<int16_t>(base::sine(turn) >> 3);
   stencil::set_images(m, context.stored);
+  stencil::set_patches(m, patches);
+  m.patch = context.ground->patch;
+  m.level = context.level;
+  m.pad = static_cast<uint16_t>(context.ground->pad >> context.level);
 }
 
 // The stream of this direction, a new one if there is none yet.
@@ -68,39 +74,44 @@ static uint8_t stream_of(stencil::FluxSet& set, const stencil::FluxSet::Stream& 
   return set.streams++;
 }
 
-static void fill_set(const Context& context, bool kept, bool has_styles = false) {
+static void fill_set(const Context& context, Keeps keeps) {
   const int32_t* number = context.number;
   const Model& model = *context.model;
   stencil::FluxSet& set = *reinterpret_cast<stencil::FluxSet*>(context.table);
   make_map(context, set.map);
   set.planes = model.planes(number);
   set.maps = maps_of(number);
-  set.kept = kept;
-  set.styled = has_styles;
-  set.halo = reach_of_flux(model, number, context.level, kept).halo;
+  set.kept = keeps != Keeps::nothing;
+  set.styled = keeps == Keeps::styles;
+  set.warped = keeps == Keeps::surface;
+  set.halo = reach_of_flux(model, number, context.level, context.stored, keeps).halo;
   set.streams = 0;
-  make_spreads(model, number, context.level, set.spread);
+  make_spreads(model, number, context.level, surface_in(keeps, context.stored), set.spread,
+               reinterpret_cast<stencil::Warp*>(&set + 1));
   for (uint8_t i = 0; i < set.planes; ++i) {
     const uint8_t pair = i / 2;
     const uint16_t turn = static_cast<uint16_t>(2 * base::angle_of(number[mapped::angles + pair]) +
                                                 (set.spread[i].across ? 0x8000u : 0u));
     const stencil::FluxSet::Stream stream = {static_cast<uint8_t>(pair % set.maps), base::cosine(turn),
                                              base::sine(turn)};
-    set.spread[i].stream = stream_of(set, stream);
+    if (set.warped) set.stream[set.streams] = stream;
+    set.spread[i].stream = set.warped ? set.streams++ : stream_of(set, stream);
   }
 }
 
-void prepare_flux(const Context& context) { fill_set(context, true); }
-void prepare_lean_flux(const Context& context) { fill_set(context, false); }
-void prepare_styled(const Context& context) { fill_set(context, true, true); }
+void prepare_flux(const Context& context) { fill_set(context, Keeps::maps); }
+void prepare_lean_flux(const Context& context) { fill_set(context, Keeps::nothing); }
+void prepare_styled(const Context& context) { fill_set(context, Keeps::styles); }
+void prepare_surface(const Context& context) { fill_set(context, Keeps::surface); }
 
 static const stencil::FluxSet& set_of(const Context& context) {
   return *reinterpret_cast<const stencil::FluxSet*>(context.table);
 }
 
-// Planes of maps and styles.
+// Planes of maps and styles, or of a surface.
 static uint8_t kept_planes(const stencil::FluxSet& set) {
-  return static_cast<uint8_t>((set.kept ? set.maps : 0) + (set.styled ? stencil::kStyleRows : 0));
+  return static_cast<uint8_t>((set.kept ? set.maps : 0) + (set.styled ? stencil::kStyleRows : 0) +
+                              (set.warped ? stencil::kInverseRows : 0));
 }
 
 // The way at a place in the order, which turns round from step to step: what the order does cancels.

@@ -44,7 +44,7 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.at_plane = 0;
   run.field_radius = 0;
   if (run.solver.field != nullptr) {
-    const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+    const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
     run.field_radius = reach.field_radius;
     run.field_space = reach.space;
   }
@@ -53,6 +53,7 @@ DAPPLE_APART static void open_stage(Run& run) {
   switch (run.stage.entry) {
     case Entry::start:
       set_level(run, run.stage.level);
+      run.ghosts.made = false;
       run.phase = Phase::starting;
       run.at_row = 0;
       break;
@@ -83,10 +84,22 @@ void begin(Run& run, const Setup& setup) {
   uint8_t* const table = parts.frugal ? setup.memory + parts.planes : run.field.scratch + parts.scratch;
   run.table = reinterpret_cast<int32_t*>(table);
   run.band = reinterpret_cast<Band*>(table + parts.table);
+  run.ghosts = setup.ghosts;
+  if (run.ghosts.planes == nullptr) run.ghosts.planes = setup.memory;
+  run.ghosts.entry = reinterpret_cast<uint32_t*>(table + parts.table + parts.bands);
+  run.ghosts.sealed = false;
+  run.parts = 0;
   run.rows = 0;
   run.index = 0;
   run.clock = {0, 0};
   open_stage(run);
+}
+
+// What is at work has come to its end: sweeps are next.
+static void end_part(Run& run, bool sealed) {
+  run.phase = Phase::sweeping;
+  run.ghosts.sealed = sealed;
+  ++run.parts;
 }
 
 DAPPLE_APART static void start_one_row(Run& run) {
@@ -104,7 +117,7 @@ DAPPLE_APART static void start_one_row(Run& run) {
   }
   if (++run.at_row < run.field.height) return;
   run.at_row = 0;
-  if (++run.at_plane == planes) run.phase = Phase::sweeping;
+  if (++run.at_plane == planes) end_part(run, false);
 }
 
 DAPPLE_APART static void refine_one_row(Run& run) {
@@ -113,17 +126,25 @@ DAPPLE_APART static void refine_one_row(Run& run) {
   for (uint8_t plane = 0; plane < planes; ++plane) run.stage.refine(run.field, plane, run.at_row);
   if (run.at_row > 0) return;
   set_level(run, run.stage.level);
-  run.phase = Phase::sweeping;
+  run.ghosts.made = false;
+  end_part(run, false);
 }
 
 // On the plane, what the sweeps of a step need not compute: the part of the halo that is used up once the step is done.
 static void set_margin(Run& run, bool first) {
   if (!first) return;
   run.sweep.margin = 0;
-  if (!run.domain.plane) return;
-  const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
+  if (!run.domain.plane || run.ground.patches != nullptr) return;
+  const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
   run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
   if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
+}
+
+static void seal_one_row(Run& run) {
+  run.ghosts.seal(run);
+  if (++run.at_row < run.field.height) return;
+  run.ghosts.made = true;
+  end_part(run, true);
 }
 
 static bool next_sweep(Run& run) {
@@ -157,21 +178,31 @@ DAPPLE_APART static void open_sweep(Run& run) {
 static uint32_t sweep_rows(Run& run, uint32_t rows) {
   Band& band = run.band[run.at_band];
   const uint32_t done = run_band(run.field, run.sweep, run.table, run.at_band, band, rows);
-  if (band.next == band.end && ++run.at_band == run.field.bands) run.sweep.row = nullptr;
+  if (band.next == band.end && ++run.at_band == run.field.bands) {
+    run.sweep.row = nullptr;
+    end_part(run, false);
+  }
   return done;
 }
 
-bool advance(Run& run, uint32_t rows) {
+bool advance(Run& run, uint32_t rows, bool one_part) {
+  const uint16_t part = run.parts;
   while (run.phase != Phase::done) {
+    if (one_part && run.parts != part) return true;
     if (run.phase == Phase::sweeping && run.sweep.row == nullptr) {
-      open_sweep(run);
-      continue;
+      if (run.ghosts.seal == nullptr || run.ghosts.sealed) {
+        open_sweep(run);
+        continue;
+      }
+      run.phase = Phase::sealing;
+      run.at_row = 0;
     }
     if (rows == 0) return true;
     uint32_t done = 1;
     switch (run.phase) {
       case Phase::starting: start_one_row(run); break;
       case Phase::refining: refine_one_row(run); break;
+      case Phase::sealing: seal_one_row(run); break;
       case Phase::sweeping: done = sweep_rows(run, rows); break;
       case Phase::done: break;
     }

@@ -45,7 +45,19 @@ struct Plan {
   bool rom;
 };
 
-enum class Phase : uint8_t { starting, refining, sweeping, done };
+enum class Phase : uint8_t { starting, refining, sealing, sweeping, done };
+
+struct Run;
+
+// Of a patch. Before a sweep and at the end `seal` copies its ghost cells (ghosts.hpp).
+struct Ghosts {
+  void (*seal)(Run& run) = nullptr;  // one row; null: no patch
+  uint8_t* planes;                   // of patch 0; those of the next patch come `block` bytes later
+  size_t block;
+  uint32_t* entry;  // of every ghost cell
+  bool made;        // the entries, for this level
+  bool sealed;      // nothing has moved since
+};
 
 struct Run {
   Plan plan;
@@ -71,6 +83,8 @@ struct Run {
   uint8_t field_radius;  // of the solver's field kernel; 0: the model's own
   uint16_t field_space;  // bytes of its work space
   uint16_t at_row;
+  uint16_t parts;   // starts, refinements, sweeps and seals that have ended, modulo 2^16
+  Ghosts ghosts;
 };
 
 // Memory by part, bytes. fits is false when a part does not fit size_t.
@@ -79,6 +93,7 @@ struct Parts {
   bool fits;
   bool frugal = false;  // scratch comes last, so that it may be used for something else in the end
   size_t blocks = 0;    // of windows in blocks
+  size_t ghosts = 0;    // of patches, behind the bands
 };
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
@@ -87,7 +102,7 @@ constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<u
 constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands,
                          uint8_t rows16 = 0) {
   const uint16_t width = at_level(d.width, stage.level);
-  Reach reach = solver.reach(model, stage.number, stage.level);
+  Reach reach = solver.reach(model, stage.number, stage.level, stage.stored);
   reach.rows16 = static_cast<uint8_t>(reach.rows16 + rows16);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
@@ -112,18 +127,24 @@ constexpr bool leaves_margin(const Reach& reach) { return reach.sweeps == 1 && r
 // Rows of work of a stage; `spent` is the part of the halo that the stages before have used up, and is moved on.
 constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach& reach, const Ground& ground, bool plane, uint32_t& spent) {
   const uint16_t height = at_level(ground.height, stage.level);
+  const bool patch = ground.patches != nullptr;
   uint64_t total = static_cast<uint64_t>(stage.steps) * reach.sweeps * height;
   if (stage.steps > 0) total += static_cast<uint64_t>(reach.once) * height;
   if (stage.entry == Entry::start) total += static_cast<uint64_t>(model.planes(stage.number)) * height;
   if (stage.entry == Entry::refine) total += height / 2u;
-  for (uint32_t step = 0; plane && step < stage.steps; ++step) {
+  if (patch) {  // a seal after the start, a refinement, and every sweep
+    total += (static_cast<uint64_t>(stage.steps) * reach.sweeps + (stage.steps > 0 ? reach.once : 0u)) * height;
+    if (stage.entry != Entry::carry) total += height;
+  }
+  for (uint32_t step = 0; plane && !patch && step < stage.steps; ++step) {
     spent += static_cast<uint32_t>(reach.spread) << stage.level;
     if (leaves_margin(reach)) total -= 2u * (spent >> stage.level);
   }
   return total;
 }
 
-// What a run begins with; all of it has been checked. memory: planes, scratch, table and bands of parts, aligned to 4.
+// What a run begins with; all of it has been checked. memory: planes, scratch, table, bands and ghosts of parts, aligned
+// to 4. Of patches `ghosts` has seal, and where there are several planes and block.
 struct Setup {
   Plan plan;
   Domain domain;
@@ -133,10 +154,12 @@ struct Setup {
   const grid::KernelSwap* kernels;
   uint32_t seed;
   uint8_t bands;
+  Ghosts ghosts = {};
 };
 void begin(Run& run, const Setup& setup);
 
-// At most `rows` rows of work; false when nothing is left to do.
-bool advance(Run& run, uint32_t rows);
+// At most `rows` rows of work; false when nothing is left to do. one_part: ends where run.parts moves on, so that patches
+// can take turns.
+bool advance(Run& run, uint32_t rows, bool one_part = false);
 
 }  // namespace dapple::evolve

@@ -2,6 +2,7 @@
 // (sweep.hpp) knows neither.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "../base/status.hpp"
 #include "../grid/domain.hpp"
 #include "../model/model.hpp"
 #include "../stencil/lattice.hpp"
@@ -61,6 +62,7 @@ struct Reach {
   uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
   uint8_t kept = 0;          // planes the solver keeps behind the model's own
   uint8_t once = 0;          // sweeps more in the first step of a stage
+  uint16_t span = 0;         // how far, in cells, one sweep carries what a cell holds; 0: `stride`
 };
 
 // What corner tiles agree on while they grow.
@@ -71,7 +73,7 @@ enum class Sharing : uint8_t {
 };
 
 struct Solver {
-  Reach (*reach)(const Model& model, const int32_t* number, uint8_t level);
+  Reach (*reach)(const Model& model, const int32_t* number, uint8_t level, const void* stored);
   // Fills `sweep` with the next sweep of this step; false when the step is complete. cursor.sweep == 0 begins a step.
   bool (*next)(const Context& context, Cursor& cursor, Sweep& sweep);
   // Fills the table when a stage begins, if the solver has one.
@@ -79,8 +81,8 @@ struct Solver {
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
   // out[0] the field of the stage's grid, which is then enlarged bilinearly.
   grid::RowKernel field = nullptr;
-  // Whether Stage::stored is what these numbers need; null: nothing is wanted.
-  bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
+  // ok where Stage::stored is what these numbers need on that domain; null: nothing is wanted.
+  Status (*accepts)(const int32_t* number, const void* stored, const Domain& domain) = nullptr;
   Sharing sharing = Sharing::none;
   uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
   bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
@@ -115,6 +117,7 @@ constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t 
       reach.halo = wider(reach.halo, across);
       reach.stride = wider(reach.stride, wider(across, static_cast<uint16_t>(stride * d.vy)));
       if (d.vy == 0) {
+        reach.span = wider(reach.span, stencil::spread_of(d));
         reach.halo_rows = 2;
         ++reach.sweeps;
       } else {
@@ -126,9 +129,10 @@ constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t 
     }
     reach.spread = wider(reach.spread, spread);
   }
+  reach.span = wider(reach.span, reach.stride);
   return reach;
 }
-constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level) {
+constexpr Reach gaussian_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
   return passes_reach(model, number, level, grid::kOneVariance);
 }
 // After a first sweep `row` over all planes, the passes of a step of that length; the model's values are in sweep.p.
@@ -148,7 +152,7 @@ constexpr uint16_t euler_steps(const Model& model, const int32_t* number, uint8_
   const int64_t need = 5 * (4 * trace + 65536);  // m >= (4 tr A + 1) / 2 / 1.7
   return static_cast<uint16_t>((need + 17 * 65536 - 1) / (INT64_C(17) * 65536));
 }
-constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t level) {
+constexpr Reach euler_reach(const Model& model, const int32_t* number, uint8_t level, const void*) {
   const uint8_t planes = model.planes(number);
   const uint16_t steps = euler_steps(model, number, level);
   return {planes, 1, 1, model.work_rows, planes, 0, steps, 1, static_cast<uint16_t>(3 * planes), steps};
@@ -157,7 +161,7 @@ bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver euler DAPPLE_ROM = {euler_reach, euler_next, nullptr, nullptr, nullptr, Sharing::state, 1};
 
 // --- kinetic: one explicit step of dt = 1 with the five-point stencil in int16. -------------------------------------
-constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t) {
+constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
   const uint8_t planes = model.planes(number);
   return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
@@ -165,7 +169,7 @@ bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
 inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next, nullptr, nullptr, nullptr, Sharing::state, 16};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------
-constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t) {
+constexpr Reach direct_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
   return {model.planes(number), model.radius, model.radius, model.work_rows, 0, 0, 1, model.radius, 0, model.radius};
 }
 bool direct_next(const Context& context, Cursor& cursor, Sweep& sweep);

@@ -7,7 +7,7 @@
 
 namespace dapple::evolve {
 
-constexpr Reach steered_reach(const Model&, const int32_t* number, uint8_t) {
+constexpr Reach steered_reach(const Model&, const int32_t* number, uint8_t, const void*) {
   const uint8_t r = static_cast<uint8_t>(number[flow::radius]);
   const uint16_t table = static_cast<uint16_t>((stencil::steer_set_bytes(true) + 3) / 4);
   return {1, r, r, 0, 0, 0, 1, r, table, r, r, stencil::kept_bytes(r, stencil::kSteerable), stencil::copies_space(r)};

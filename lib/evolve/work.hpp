@@ -7,9 +7,9 @@ namespace dapple::evolve {
 
 // How often a step writes a cell, all planes together: reaction and passes of the Gaussian, sub-steps of Euler, one for a
 // step of any other solver in every plane.
-constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, const int32_t* number, uint8_t level) {
+constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, const int32_t* number, uint8_t level, const void* stored) {
   const uint8_t planes = model.planes(number);
-  if (solver.next != gaussian_next) return static_cast<uint32_t>(solver.reach(model, number, level).sweeps) * planes;
+  if (solver.next != gaussian_next) return static_cast<uint32_t>(solver.reach(model, number, level, stored).sweeps) * planes;
   uint32_t updates = planes;
   for (uint8_t plane = 0; plane < planes; ++plane) {
     const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));
@@ -25,7 +25,7 @@ constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, con
 constexpr uint64_t updates_of(const Stage& stage, uint16_t width, uint16_t height) {
   const uint64_t cells = static_cast<uint64_t>(at_level(width, stage.level)) * at_level(height, stage.level);
   const uint64_t first = stage.entry == Entry::carry ? 0 : stage.model->planes(stage.number);
-  return cells * (first + static_cast<uint64_t>(stage.steps) * updates_of_step(*stage.solver, *stage.model, stage.number, stage.level));
+  return cells * (first + static_cast<uint64_t>(stage.steps) * updates_of_step(*stage.solver, *stage.model, stage.number, stage.level, stage.stored));
 }
 
 }  // namespace dapple::evolve

@@ -11,7 +11,7 @@ using namespace threshold;
 constexpr uint8_t map = diffusion, detail = threshold::slots;
 static_assert(detail + 1 <= kMaxNumbers, "one slot more than the family's own");
 
-enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, corners, image, kinds };
+enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, corners, image, isotropic_pairs, kinds };
 
 constexpr int32_t kMostPairs = 4;
 constexpr int32_t kDetail[2] = {10000, 1000000};
@@ -19,8 +19,8 @@ constexpr int32_t kDetail[2] = {10000, 1000000};
 inline constexpr Number numbers[] = {
     {Number::integer, "pairs", 1, kMostPairs, 1, nullptr, "activator-inhibitor pairs"},
     {Number::word, "react", 0, 1, 0, "md|da", "md: max of differences (14); da: difference of abs (15)"},
-    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|corners|image",
-     "direction of every place of the tile"},
+    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|corners|image|isotropic",
+     "direction of every place of the tile; isotropic: none, whatever stretch says"},
     threshold::numbers[3],
     threshold::numbers[4],
     threshold::numbers[5],
@@ -37,7 +37,7 @@ constexpr bool in_range(const int32_t* number) {
 }
 
 // With e1 along x: the map turns it.
-constexpr grid::Tensor tensor(const int32_t* number, uint8_t plane) { return axes_of(number, plane, false); }
+constexpr grid::Tensor tensor(const int32_t* number, uint8_t plane) { return axes_of(number, plane, number[map] == isotropic_pairs); }
 
 }  // namespace dapple::mapped
 

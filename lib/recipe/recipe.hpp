@@ -14,13 +14,37 @@
 
 namespace dapple {
 
+// What a recipe says of the sides of its domain: a patch (patch_of) unless all repeat.
+struct Sides {
+  enum Kind : uint8_t { repeat, closed, fixed } kind[kSides];
+  int32_t held[2];  // Side::value of the fixed ones
+};
+
 struct Recipe {
   Start start;
   Paint paint;
   uint8_t stages;
   Stage stage[kMaxStages];
   const evolve::BlockWork* blocks;  // how windows of the plane that a halo would be too wide for are grown; null: not at all
+  Sides sides;
 };
+
+constexpr bool has_sides(const Recipe& recipe) {
+  for (const Sides::Kind kind : recipe.sides.kind)
+    if (kind != Sides::repeat) return true;
+  return false;
+}
+
+// The patch that a recipe's sides ask for: the only one of its Patches.
+constexpr Patch patch_of(const Recipe& recipe) {
+  const Sides& s = recipe.sides;
+  Patch patch{};
+  for (uint8_t i = 0; i < kSides; ++i)
+    patch.side[i] = s.kind[i] == Sides::repeat   ? repeating_side(i)
+                    : s.kind[i] == Sides::closed ? closed_side()
+                                                 : fixed_side(s.held[0], s.held[1]);
+  return patch;
+}
 
 // A recipe that lives in read-only memory (flash on AVR).
 struct Preset {
@@ -40,7 +64,7 @@ struct Family {
   const Number* numbers;
   uint8_t number_count;
   const char* solver_names;  // separated by '|'; multigrid is the first one over several grids (levels.hpp)
-  const evolve::Solver* solvers[3];
+  const evolve::Solver* solvers[4];
   uint32_t steps;
   Start start;
   int32_t low, high;
@@ -57,8 +81,8 @@ inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler|multigrid",
      {&evolve::gaussian, &evolve::euler}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
-    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled",
-     {&evolve::flux, &evolve::lean_flux, &evolve::styled}, 32,
+    {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled|surface",
+     {&evolve::flux, &evolve::lean_flux, &evolve::styled, &evolve::surface}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,

@@ -3,8 +3,9 @@
 //   recipe = model { key=value } { "then" ("carry" | "refine") { key=value } }
 //
 // Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
-// (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; ramp, range=LOW,HIGH, light,
-// gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
+// (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; sides=repeat|closed|fixed, of all,
+// across and down, or left, right, top and bottom, and held=A,B; ramp, range=LOW,HIGH, light, gloss, grain, opacity=LOW,HIGH,
+// roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "levels.hpp"
@@ -104,6 +105,39 @@ constexpr bool shares_in(Reader& r, Word text, uint8_t* shares) {
   return true;
 }
 
+// One word for all sides, two across and down, four one by one. Sides repeat in pairs.
+constexpr bool sides_in(Reader& r, Word text) {
+  Sides& sides = r.recipe->sides;
+  int32_t index = 0;
+  uint8_t count = 0;
+  for (Word rest = text; rest.length > 0 || count == 0; ++count) {
+    if (count == kSides) return fail(r, broken_text, text);
+    if (!word_in(r, take(rest, ','), "repeat|closed|fixed", index)) return false;
+    sides.kind[count] = static_cast<Sides::Kind>(index);
+  }
+  if (count == 3) return fail(r, broken_text, text);
+  if (count == 1) sides.kind[1] = sides.kind[0];
+  if (count < kSides) {
+    sides.kind[2] = sides.kind[3] = sides.kind[1];
+    sides.kind[1] = sides.kind[0];
+  }
+  for (uint8_t i = 0; i < kSides; ++i)
+    if ((sides.kind[i] == Sides::repeat) != (sides.kind[i ^ 1] == Sides::repeat)) return fail(r, not_possible, text);
+  return true;
+}
+
+constexpr bool side_key(Reader& r, Word key, Word value, bool& found) {
+  found = true;
+  if (equal(key, "sides")) return sides_in(r, value);
+  if (equal(key, "held")) {
+    Word rest = value;
+    int32_t* const held = r.recipe->sides.held;
+    return decimal_in(r, take(rest, ','), 0, base::kMicro, held[0]) && decimal_in(r, rest, 0, base::kMicro, held[1]);
+  }
+  found = false;
+  return true;
+}
+
 constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   Paint& p = r.recipe->paint;
   found = true;
@@ -130,6 +164,7 @@ constexpr bool key_value(Reader& r, Word word) {
   if (!model_key(r, key, value, found) || found) return found && r.trouble.status == ok;
   if (!stage_key(r, key, value, found) || found) return r.trouble.status == ok;
   if (!start_key(r, key, value, found) || found) return r.trouble.status == ok;
+  if (!side_key(r, key, value, found) || found) return r.trouble.status == ok;
   if (!paint_key(r, key, value, found) || found) return r.trouble.status == ok;
   return fail(r, unknown_word, key, 0, 0, false, r.family->name);
 }

@@ -110,7 +110,7 @@ static void put_numbers(Writer& w, const Family& f, const int32_t* number) {
 static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver) {
   put_key(w, "solver");
   int32_t index = 0;
-  while (solver != f.solvers[index] && index < 2) ++index;
+  while (solver != f.solvers[index] && index < 3) ++index;
   put_word(w, f.solver_names, index);
 }
 
@@ -145,6 +145,21 @@ static void put_start(Writer& w, const Start& s) {
   put_pair(w, "jitter", s.jitter);
   put_pair(w, "radius", s.radius);
   put_pair(w, "amplitude", s.amplitude);
+}
+
+static void put_sides(Writer& w, const Sides& s) {
+  put_key(w, "sides");
+  bool held = false;
+  for (uint8_t i = 0; i < kSides; ++i) {
+    if (i > 0) put(w, ',');
+    put_word(w, "repeat|closed|fixed", s.kind[i]);
+    held = held || s.kind[i] == Sides::fixed;
+  }
+  if (!held) return;
+  put_key(w, "held");
+  put_decimal(w, s.held[0]);
+  put(w, ',');
+  put_decimal(w, s.held[1]);
 }
 
 static void put_ramp(Writer& w, const Ramp& ramp) {
@@ -197,6 +212,7 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   if (multigrid) recipe::put_multigrid(w, *family, recipe);
   else recipe::put_stage(w, *family, recipe.stage[0]);
   recipe::put_start(w, recipe.start);
+  if (has_sides(recipe)) recipe::put_sides(w, recipe.sides);
   recipe::put_paint(w, recipe.paint);
   for (uint8_t i = 1; i < recipe.stages && !multigrid; ++i) {
     recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");

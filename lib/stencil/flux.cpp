@@ -18,9 +18,10 @@ static i16 third(i16 a) { return mulhi(a, 21845); }
 struct Mirror {
   i16 a, b, d, e;
 };
+static i16 flip_x_of(uint8_t way) { return way == 1 || way >= 6 ? static_cast<i16>(-1) : static_cast<i16>(1); }
+static i16 flip_y_of(uint8_t way) { return way >= 2 && (way & 1) != 0 ? static_cast<i16>(-1) : static_cast<i16>(1); }
 static Mirror mirror_of(const FluxSet::Stream& s, uint8_t way) {
-  const i16 flip_x = way == 1 || way >= 6 ? static_cast<i16>(-1) : static_cast<i16>(1);
-  const i16 flip_y = way >= 2 && (way & 1) != 0 ? static_cast<i16>(-1) : static_cast<i16>(1);
+  const i16 flip_x = flip_x_of(way), flip_y = flip_y_of(way);
   return {static_cast<i16>(flip_x * s.c), static_cast<i16>(-flip_x * s.s), static_cast<i16>(flip_y * s.s),
           static_cast<i16>(flip_y * s.c)};
 }
@@ -34,32 +35,39 @@ static i16 turned(i16 c, i16 s, i16 a, i16 b) { return static_cast<i16>(mulhi(c,
 // vector is a sum of g_i u_i, u_i the doubled ways, with the two g_i beside it positive.
 static i16 held(i16 x) { return x < 16383 ? x : static_cast<i16>(16383); }
 // Axes: 2 g - sum of all g, -25800..32766; the sum is max(|x| + |y|/2, |y| + |x|/3).
+static inline i16 axis_of(i16 x, i16 y) {
+  const i16 a = absolute(x), b = absolute(y);
+  const i16 own = held(positive(static_cast<i16>(x - static_cast<i16>(b - (b >> 2)))));
+  const i16 wide = static_cast<i16>(a + (b >> 1)), high = static_cast<i16>(b + third(a));
+  return static_cast<i16>(static_cast<i16>(2 * own) - (wide > high ? wide : high));
+}
+// Diagonals: g = y - 4/3 |x|.
+static inline i16 diagonal_of(i16 x, i16 y) {
+  const i16 a = absolute(x);
+  return positive(static_cast<i16>(positive(y) - static_cast<i16>(a + third(a))));
+}
+// Knight's moves: g = min(5/4 y, 5/3 x).
+static inline i16 knight_of(i16 far, i16 near) {
+  const i16 x = held(positive(far)), y = positive(near);
+  const i16 one = static_cast<i16>(y + (y >> 2)), other = static_cast<i16>(static_cast<i16>(2 * x) - third(x));
+  return one < other ? one : other;
+}
 static void pull_axis(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
   for (uint16_t k = 0; k < n; ++k) {
     const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    const i16 x = turned(c, s, m.a, m.b);
-    const i16 a = absolute(x), b = absolute(turned(c, s, m.d, m.e));
-    const i16 own = held(positive(static_cast<i16>(x - static_cast<i16>(b - (b >> 2)))));
-    const i16 wide = static_cast<i16>(a + (b >> 1)), high = static_cast<i16>(b + third(a));
-    out[k] = static_cast<i16>(static_cast<i16>(2 * own) - (wide > high ? wide : high));
+    out[k] = axis_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
   }
 }
-// Diagonals: g = y - 4/3 |x|.
 static void pull_diagonal(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
   for (uint16_t k = 0; k < n; ++k) {
     const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    const i16 a = absolute(turned(c, s, m.a, m.b));
-    const i16 y = positive(turned(c, s, m.d, m.e));
-    out[k] = positive(static_cast<i16>(y - static_cast<i16>(a + third(a))));
+    out[k] = diagonal_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
   }
 }
-// Knight's moves: g = min(5/4 y, 5/3 x).
 static void pull_knight(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
   for (uint16_t k = 0; k < n; ++k) {
     const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    const i16 x = held(positive(turned(c, s, m.a, m.b))), y = positive(turned(c, s, m.d, m.e));
-    const i16 one = static_cast<i16>(y + (y >> 2)), other = static_cast<i16>(static_cast<i16>(2 * x) - third(x));
-    out[k] = one < other ? one : other;
+    out[k] = knight_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
   }
 }
 
@@ -69,6 +77,14 @@ static void pull_row(const FluxSet::Stream& s, uint8_t way, const i16* map, i16*
   if (way < 2) pull_axis(map, out, n, m);
   else if (way < 4) pull_diagonal(map, out, n, m);
   else pull_knight(map, out, n, m);
+}
+
+// The same of vectors that are mirrored already.
+static void pull_vectors(uint8_t way, const i16* DAPPLE_RESTRICT x, const i16* DAPPLE_RESTRICT y,
+                         i16* DAPPLE_RESTRICT out, uint16_t n) {
+  for (uint16_t k = 0; k < n && way < 2; ++k) out[k] = axis_of(x[k], y[k]);
+  for (uint16_t k = 0; k < n && way >= 2 && way < 4; ++k) out[k] = diagonal_of(x[k], y[k]);
+  for (uint16_t k = 0; k < n && way >= 4; ++k) out[k] = knight_of(x[k], y[k]);
 }
 
 // The mean of both ends of every link.
@@ -116,6 +132,19 @@ static inline i16 carried_less(i16 link, i16 lack, i16 from, i16 to, Stage s) {
   const i16 q = static_cast<i16>(mulhi(link, s.slope) + s.mean);
   return carried_of(static_cast<i16>(q - static_cast<i16>(2 * mulhi(q, lack)) - s.before), from, to, s);
 }
+// On a surface the mean is the link's own.
+DAPPLE_APART static void carry_mean(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT mean,
+                                    const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
+                                    i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+  for (uint16_t x = 0; x < n; ++x)
+    flux[x] =
+        carried_of(static_cast<i16>(mulhi(link[x], s.slope) + static_cast<i16>(mean[x] - s.before)), from[x], to[x], s);
+}
+// Means are at most 16000.
+static void mean_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out,
+                     uint16_t n) {
+  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] + to[x]) >> 1);
+}
 DAPPLE_APART static void carry_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
                                    const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
   for (uint16_t x = 0; x < n; ++x) flux[x] = carried(link[x], from[x], to[x], s);
@@ -162,15 +191,40 @@ static uint8_t flux_slot(const FluxSet& set, uint8_t plane, uint8_t turn) {
 }
 static uint8_t link_slot(const FluxSet& set) { return static_cast<uint8_t>(2 * (set.streams + set.planes)); }
 static uint8_t map_slot(const FluxSet& set, uint8_t map) { return static_cast<uint8_t>(link_slot(set) + 1 + map); }
+// On a surface in their places: the links' means, a vector, and two rows of means of every stream.
+static uint8_t mean_slot(const FluxSet& set, uint8_t stream, uint8_t turn) {
+  return map_slot(set, static_cast<uint8_t>(3 + 2 * stream + turn));
+}
 
 static const FluxSet& set_of(const grid::Rows& rows) { return *reinterpret_cast<const FluxSet*>(rows.table); }
 
 void keep_map_row(const grid::Rows& rows) {
   const FluxSet& set = set_of(rows);
-  for (uint8_t i = 0; i < set.maps; ++i) map_row(set.map, i, rows.y, rows.n, grid::out16(rows, i));
+  for (uint8_t i = 0; i < set.maps; ++i) place_row(set.map, i, rows.y, rows.n, grid::out16(rows, i));
+  if (set.warped) {
+    int16_t* out[kInverseRows];
+    for (uint8_t i = 0; i < kInverseRows; ++i) out[i] = grid::out16(rows, static_cast<uint8_t>(set.maps + i));
+    inverse_row(set.map, rows.y, rows.n, out);
+  }
   if (set.styled)
     style_row(set.map, rows.y, rows.n, grid::out16(rows, set.maps),
               grid::out16(rows, static_cast<uint8_t>(set.maps + 1)));
+}
+
+// A stream's pulls and means on a surface; cells: the rows of its map and of V.
+static void warp_stream(const FluxSet& set, const Work& w, uint8_t way, uint8_t stream, uint8_t turn, uint16_t halo,
+                        const i16* const* cells) {
+  const FluxSet::Stream& s = set.stream[stream];
+  const Spread& spread = set.spread[stream];
+  const Warp& warp = reinterpret_cast<const Warp*>(&set + 1)[stream];
+  i16 *const x = slot(w, map_slot(set, 1)), *const y = slot(w, map_slot(set, 2));
+  i16 *const means = slot(w, mean_slot(set, stream, turn)), *const out = slot(w, pull_slot(stream, turn));
+  warp_row({cells[0], cells[1], cells[2], cells[3], s.c, s.s, static_cast<int8_t>(flip_x_of(way)),
+            static_cast<int8_t>(flip_y_of(way))},
+           warp, spread.mean, x, y, means, w.n);
+  pull_vectors(way, x, y, out, w.n);
+  wrap(w, means, halo);
+  wrap(w, out, halo);
 }
 
 // A pass, and the row it is at. turn: which of two slots holds what belongs to the links behind row y.
@@ -188,8 +242,15 @@ static void pull_at(const Pulling& p, uint8_t k, uint8_t turn) {
   const FluxSet& set = *p.set;
   const int32_t stride = static_cast<int32_t>(stride_of(p.stage)) * way_of(p.way).vy;
   for (uint8_t i = 0; i < set.maps && !set.kept; ++i)
-    map_row(set.map, i, p.rows->y + (k - INT32_C(1)) * stride, p.work.n, slot(p.work, map_slot(set, i)));
-  for (uint8_t stream = 0; stream < set.streams; ++stream) {
+    place_row(set.map, i, p.rows->y + (k - INT32_C(1)) * stride, p.work.n, slot(p.work, map_slot(set, i)));
+  for (uint8_t stream = 0; stream < set.streams && set.warped; ++stream) {
+    const i16* cells[1 + kInverseRows] = {
+        grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.stream[stream].map) + k))};
+    for (uint8_t i = 0; i < kInverseRows; ++i)
+      cells[1 + i] = grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.maps + i) + k));
+    warp_stream(set, p.work, p.way, stream, turn, p.halo, cells);
+  }
+  for (uint8_t stream = 0; stream < set.streams && !set.warped; ++stream) {
     const uint8_t map = set.stream[stream].map;
     const i16* cells = set.kept ? grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + map) + k))
                                 : slot(p.work, map_slot(set, map));
@@ -205,13 +266,17 @@ static void between(const Pulling& p, uint8_t k) {
   const uint8_t here = static_cast<uint8_t>(p.turn ^ (k ^ 1)), ahead = static_cast<uint8_t>(here ^ 1);
   i16* const link = slot(p.work, link_slot(set));
   pull_at(p, static_cast<uint8_t>(k + 1), ahead);
-  i16* const lack = slot(p.work, map_slot(set, 0));
+  i16* const lack = slot(p.work, map_slot(set, 0));  // or means
+  const bool own_means = set.warped && p.way < 2;
   const uint8_t style = static_cast<uint8_t>(3 * (set.planes + set.maps) + k);
   if (set.styled)
     link_row(grid::in16(*p.rows, style), grid::in16(*p.rows, static_cast<uint8_t>(style + 1)) + p.shift, lack,
              p.work.n);
   for (uint8_t stream = 0; stream < set.streams; ++stream) {
     link_row(slot(p.work, pull_slot(stream, here)), slot(p.work, pull_slot(stream, ahead)) + p.shift, link, p.work.n);
+    if (own_means)
+      mean_row(slot(p.work, mean_slot(set, stream, here)), slot(p.work, mean_slot(set, stream, ahead)) + p.shift, lack,
+               p.work.n);
     for (uint8_t plane = 0; plane < set.planes; ++plane) {
       const Spread& spread = set.spread[plane];
       if (spread.stream != stream || !takes(spread, p.way, p.stage)) continue;
@@ -221,10 +286,11 @@ static void between(const Pulling& p, uint8_t k) {
       const i16* const behind = slot(p.work, flux_slot(set, plane, here)) - p.shift;
       i16* const flux = slot(p.work, flux_slot(set, plane, ahead));
       i16* const out = grid::out16(*p.rows, plane);
-      if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
+      if (own_means) carry_mean(link, lack, from, to, flux, p.work.n, stage);
+      else if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
       else if (k == 0) carry_row(link, from, to, flux, p.work.n, stage);
       else move_row(link, from, to, behind, flux, out, p.work.n, stage);
-      if (set.styled && k == 1) add_row(from, flux, behind, out, p.work.n);
+      if ((set.styled || own_means) && k == 1) add_row(from, flux, behind, out, p.work.n);
       wrap(p.work, flux, p.halo);
     }
   }
@@ -249,7 +315,7 @@ void flux_row(const grid::Rows& rows) {
   between(p, 1);
 }
 
-// All stages of a plane along a row.
+// All stages of a plane along a row. lack: of the cells, or on a surface their means.
 static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* pull, const i16* lack, i16* row) {
   const Spread& spread = set.spread[plane];
   i16* const link = slot(w, link_slot(set));
@@ -259,7 +325,11 @@ static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* p
     const uint16_t stride = stride_of(stage);
     grid::copy_row(Cell::int16, copy, row, w.n, stride);
     link_row(pull, pull + stride, link, w.n);
-    if (set.styled) {
+    if (set.warped) {
+      i16* const mean = slot(w, map_slot(set, 0));
+      mean_row(lack, lack + stride, mean, w.n);
+      carry_mean(link, mean, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+    } else if (set.styled) {
       i16* const less = slot(w, flux_slot(set, 1, 0));
       link_row(lack, lack + stride, less, w.n);
       carry_less(link, less, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
@@ -274,11 +344,18 @@ static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* p
 void flux_chain_row(const grid::Rows& rows) {
   const FluxSet& set = set_of(rows);
   const Work w = work_of(rows, set);
-  for (uint8_t i = 0; i < set.maps && !set.kept; ++i) map_row(set.map, i, rows.y, w.n, slot(w, map_slot(set, i)));
+  for (uint8_t i = 0; i < set.maps && !set.kept; ++i) place_row(set.map, i, rows.y, w.n, slot(w, map_slot(set, i)));
   i16* const lack = slot(w, map_slot(set, 0));
   if (set.styled)
     grid::copy_row(Cell::int16, lack, grid::out16(rows, static_cast<uint8_t>(set.planes + set.maps)), w.n, w.halo);
-  for (uint8_t stream = 0; stream < set.streams; ++stream) {
+  for (uint8_t stream = 0; stream < set.streams && set.warped; ++stream) {
+    const i16* cells[1 + kInverseRows] = {grid::out16(rows, static_cast<uint8_t>(set.planes + set.stream[stream].map))};
+    for (uint8_t i = 0; i < kInverseRows; ++i)
+      cells[1 + i] = grid::out16(rows, static_cast<uint8_t>(set.planes + set.maps + i));
+    warp_stream(set, w, 0, stream, 0, w.halo, cells);
+    chain(set, w, stream, slot(w, pull_slot(stream, 0)), slot(w, mean_slot(set, stream, 0)), grid::out16(rows, stream));
+  }
+  for (uint8_t stream = 0; stream < set.streams && !set.warped; ++stream) {
     i16* const pull = slot(w, pull_slot(stream, 0));
     const uint8_t map = set.stream[stream].map;
     pull_row(set.stream[stream], 0,

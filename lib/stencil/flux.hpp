@@ -72,11 +72,13 @@ constexpr uint8_t stages_of(const Spread& p, uint8_t way) {
 }
 
 // What the kernels find in rows.table.
+struct Warp;
 struct FluxSet {
   DirectionMap map;
   uint8_t planes, maps, streams;
   bool kept;      // the maps are planes after the model's own
   bool styled;    // and behind them the two of the styles
+  bool warped;    // or the three of a surface; then every plane is a stream, and the numbers of all follow the set
   uint16_t halo;  // cells, of the scratch rows
   Spread spread[8];
   struct Stream {
@@ -85,8 +87,33 @@ struct FluxSet {
   } stream[kMostStreams];
 };
 
+// The numbers of a plane on a surface. Its tensor in a cell is m V V^T + s V R V^T, V as in surface.hpp, R = [[c, s],
+// [s, -c]] of the doubled direction; spread.mean is m, spread.slope what the vector of that tensor is at most.
+struct Warp {
+  int32_t round;    // m kOne / (2 slope): of twice the vector of V V^T in Q14, sum in kOne, Q14
+  int16_t leaning;  // s / slope, Q14: of the vector of V R V^T
+  int16_t mean;     // s / kOne, Q14: of its mean
+};
+constexpr Warp warp_of(const Spread& p, int32_t s) {
+  if (p.slope == 0) return {0, 0, 0};
+  return {static_cast<int32_t>(base::divide_round(static_cast<int64_t>(p.mean) * kOne, INT64_C(2) * p.slope)),
+          static_cast<int16_t>(base::divide_round(static_cast<int64_t>(s) * 16384, p.slope)),
+          static_cast<int16_t>(base::divide_round(static_cast<int64_t>(s) * 16384, kOne))};
+}
+
+// A row of directions and of V, the turn of a stream, and how a way mirrors it.
+struct WarpRow {
+  const int16_t *map, *p, *q, *r;
+  int16_t c, s;
+  int8_t flip_x, flip_y;
+};
+// The tensors' vectors in units of the plane's slope, kOne, mirrored; their means, 1/unit.
+void warp_row(const WarpRow& row, const Warp& plane, int16_t mean, int16_t* x, int16_t* y, int16_t* means, uint16_t n);
+
 // int16 scratch rows with halo of the kernels: two a stream, two a plane, the links, and `maps` more: the maps' where
-// none are kept; one, what the links lack, with styles.
+// none are kept; one, what the links lack, with styles; on a surface warp_rows: the links' means, a vector's
+// x and y, and two rows of means a stream.
+constexpr uint8_t warp_rows(uint8_t planes) { return static_cast<uint8_t>(3 + 2 * planes); }
 constexpr uint8_t flux_rows(uint8_t planes, uint8_t streams, uint8_t maps) {
   return static_cast<uint8_t>(2 * (planes + streams) + 1 + maps);
 }

@@ -197,6 +197,54 @@ void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_
   }
 }
 
+// The map as it is around a cell of a patch.
+static DirectionMap placed(const DirectionMap& m, const Patches& all, uint8_t patch, int32_t x, int32_t y) {
+  DirectionMap at = m;
+  at.x = x;
+  at.y = y;
+  at.field.x = (all.patch[patch].x >> m.level) + x;
+  at.field.y = (all.patch[patch].y >> m.level) + y;
+  return at;
+}
+
+static void ghost_direction(const DirectionMap& m, const Patches& all, uint8_t index, const grid::Source& s,
+                            int16_t* out) {
+  map_row(placed(m, all, s.patch, s.x, s.y), index, 0, 1, out);
+  const int8_t c = static_cast<int8_t>(*out & 255), n = static_cast<int8_t>(*out >> 8);
+  *out = packed({to_q7(s.swapped ? -c : c), to_q7(s.mirrored ? -n : n)});
+}
+
+void place_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_t* out) {
+  const Patches* const all = patches_of(m);
+  if (all == nullptr) return map_row(m, index, y, n, out);
+  const int32_t at = folded(y, m.rows) - m.pad;
+  const bool inside = at >= 0 && at < m.height;
+  if (inside) map_row(placed(m, *all, m.patch, 0, at), index, 0, m.width, out + m.pad);
+  for (int32_t x = 0; x < n; ++x) {
+    if (inside && x == m.pad) x += m.width;
+    ghost_direction(m, *all, index, grid::source_of(*all, m.level, m.patch, x - m.pad, at), out + x);
+  }
+}
+
+// On a torus the cell itself, rolled.
+static grid::Source source_on(const DirectionMap& m, int32_t x, int32_t y) {
+  const Patches* const all = patches_of(m);
+  if (all != nullptr) return grid::source_of(*all, m.level, m.patch, x - m.pad, y - m.pad);
+  return {0, folded(m.x + x, m.width), folded(m.y + y, m.height), false, false, nullptr};
+}
+
+void inverse_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* const* out) {
+  const Surface& surface = *images_of(m).surface;
+  for (int32_t x = 0; x < n; ++x) {
+    const grid::Source s = source_on(m, x, folded(y, m.rows));
+    const uint8_t patch = static_cast<uint8_t>(surface.patches == 1 ? 0 : s.patch);
+    const Inverse v = turned_inverse(inverse_at(surface, m.level, patch, s.x, s.y), s.swapped, s.mirrored);
+    out[0][x] = v.p;
+    out[1][x] = v.q;
+    out[2][x] = v.r;
+  }
+}
+
 // A channel between four cells: bytes to Q8.
 static int32_t between(const StyleImage& image, int32_t px, int32_t py, uint8_t channel) {
   const auto cell = [&](int32_t i, int32_t j) {

@@ -3,6 +3,7 @@
 // period; on the endless plane that is a square of kPlanePeriod cells. SPDX-License-Identifier: MIT
 #pragma once
 #include "steer.hpp"
+#include "surface.hpp"
 
 namespace dapple {
 
@@ -25,10 +26,12 @@ struct StyleImage {
   uint16_t width, height;  // 1..kMostImage
 };
 
-// What a stage of the mapped family finds in Stage::stored: directions for map=image, styles for solver=styled.
+// What a stage of the mapped family finds in Stage::stored: directions for map=image, styles for solver=styled, a measured
+// surface for solver=surface.
 struct PlaceMaps {
   DirectionImage direction;
   StyleImage style;
+  const Surface* surface = nullptr;
 };
 
 }  // namespace dapple
@@ -49,9 +52,20 @@ struct DirectionMap {
   int16_t c2, s2;                            // corners: the doubled direction of colour 1, that of colour 0 is (c2, -s2); Q12
   DirectionField field;                      // swirl
   uint8_t images[sizeof(const PlaceMaps*)];  // where the caller's are; tables are aligned to four bytes only
+  uint8_t patches[sizeof(const Patches*)];   // where the patches are; null: a torus or window
+  uint8_t patch, level;                      // of them
+  uint16_t pad;                              // ghost cells around a patch
 };
 
 inline void set_images(DirectionMap& map, const void* images) { base::copy_bytes(map.images, &images, sizeof images); }
+inline void set_patches(DirectionMap& map, const Patches* patches) {
+  base::copy_bytes(map.patches, &patches, sizeof patches);
+}
+inline const Patches* patches_of(const DirectionMap& map) {
+  const Patches* patches = nullptr;
+  base::copy_bytes(&patches, map.patches, sizeof patches);
+  return patches;
+}
 inline const PlaceMaps& images_of(const DirectionMap& map) {
   const void* images = nullptr;
   base::copy_bytes(&images, map.images, sizeof images);
@@ -75,6 +89,13 @@ constexpr int16_t packed(Doubled d) {
 //              theta, doubled vectors blended with weights 3 t^2 - 2 t^3, whose slope at an edge is 0
 // u, v are the cell's centre in periods.
 void map_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
+
+// The same of a patch too: ghost cells have what their sources have, turned.
+void place_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
+
+// V of the surface (surface.hpp): a row each of p, q, r.
+constexpr uint8_t kInverseRows = 3;
+void inverse_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* const* out);
 
 // The same of the styles: what the square of the wavelength's share lacks of 1, Q15 (0 for a share of 255, 30720 for
 // 64); rho's steps from -128 in the high byte, k's share in the low one.

@@ -123,6 +123,10 @@ static void explain(Sentence& s, const Need& need) {
       return put(s, uint64_t{kWidestHalo});
     case bad_map:
       return put(s, "map=image and solver=styled need images, 1 to 256 cells a side");
+    case bad_sides:
+      return put(s, "a recipe with sides needs a patch, which is for C++");
+    case bad_surface:
+      return put(s, "solver=surface needs a surface, which is for C++");
     default:
       return put(s, "the stages do not fit each other, or the last is not on the finest grid");
   }

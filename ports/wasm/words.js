@@ -64,6 +64,8 @@ const dappleWords = {
       case -14: return "more memory than there are addresses";
       case -15: return "not enough memory";
       case -19: return "map=image and solver=styled need images, which cannot be given here";
+      case -21: return "sides other than sides=repeat need a patch, which cannot be given here";
+      case -22: return "solver=surface needs a surface, which cannot be given here";
       case -17: return "the plane ends here";
       case -18:
         return "not for the endless plane: it would have to grow " + told.halo + " cells more on every side, " +

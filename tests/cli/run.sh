@@ -15,7 +15,7 @@ test_words() {
   equal "no arguments: exit code" $? 2
   equal "no arguments: stdout" "$(cat "$folder/out")" ""
   check "no arguments: usage on stderr" grep -q '^usage: dapple' "$folder/err"
-  for command in "" list grow info sheet stream rule tiles; do
+  for command in "" list grow info sheet stream rule tiles surface; do
     # shellcheck disable=SC2086
     run $command --help > "$folder/help" 2> "$folder/err"
     equal "$command --help: exit code" $? 0

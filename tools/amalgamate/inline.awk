@@ -59,6 +59,7 @@ function paste(path, out, depth,    line, target, lines, text, i, once, got) {
 
 BEGIN {
   paste("dapple.hpp", header, 0)
+  paste("atlas.hpp", header, 0)
   paste("chunks.hpp", header, 0)
   paste("corners.hpp", header, 0)
   paste("tile.hpp", header, 0)

@@ -11,6 +11,7 @@ void info(const Options& options);
 void sheet(const Options& options);
 void rule(const Options& options);
 void stream(const Options& options);
+void surface(const Options& options);
 void tiles(const Options& options);
 
 // Text as a JSON string.
@@ -18,6 +19,8 @@ std::string json_text(const std::string& text);
 
 // What help says of rule, beside its options.
 std::string rule_help();
+// And of surface.
+std::string surface_help();
 
 std::string version_text();
 

@@ -1,29 +1,14 @@
 // dapple grow: one texture to one file, or to its hash.
 // SPDX-License-Identifier: MIT
-#include <cinttypes>
-#include <cstdio>
 #include <cstring>
 
 #include "commands.hpp"
 #include "errors.hpp"
+#include "field_hash.hpp"
 #include "maps.hpp"
 #include "tile.hpp"
 
 namespace cli {
-
-// FNV-1a, 64 bit, over the field as little-endian int32, row by row.
-static uint64_t hash_of(dapple::Texture& texture) {
-  uint64_t hash = UINT64_C(0xcbf29ce484222325);
-  const dapple::Domain domain = texture.domain();
-  std::vector<int16_t> row(domain.width);
-  for (uint16_t y = 0; y < domain.height; ++y) {
-    texture.row(y, row.data());
-    for (const int32_t value : row)
-      for (int shift = 0; shift < 32; shift += 8)
-        hash = (hash ^ (static_cast<uint32_t>(value) >> shift & 255)) * UINT64_C(0x100000001b3);
-  }
-  return hash;
-}
 
 // More steps than the recipe has make it a longer recipe; fewer stop it on the way, but for windows in blocks, which have no
 // way that all cells go together: there it is a shorter recipe.
@@ -66,8 +51,9 @@ static Picture picture_of(dapple::Texture& texture, dapple::Pixels pixels, const
 static void print_hash(const Subject& subject, const Options& options) {
   Tile tile(subject, domain_of(options), options.seed, options.bands);
   grow_tile(tile, subject, options);
-  std::printf("%016" PRIx64 "\n", hash_of(tile.texture()));
-  finish_standard_output();
+  FieldHash hash;
+  hash.add(tile.texture());
+  hash.print();
 }
 
 void grow_maps(Subject subject, const Options& options) {

@@ -35,7 +35,7 @@ uint64_t kept_bytes(const dapple::Recipe& recipe, const dapple::Need& need, dapp
   uint64_t most = 0;
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const dapple::Stage& stage = recipe.stage[i];
-    const dapple::evolve::Reach reach = stage.solver->reach(*stage.model, stage.number, stage.level);
+    const dapple::evolve::Reach reach = stage.solver->reach(*stage.model, stage.number, stage.level, stage.stored);
     const uint16_t width = dapple::evolve::at_level(ground.width, stage.level);
     most = std::max(most, uint64_t{reach.kept} * dapple::grid::row_bytes(stage.model->cell, width) * dapple::evolve::at_level(ground.height, stage.level));
   }

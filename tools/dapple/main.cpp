@@ -28,6 +28,8 @@ const CommandEntry kCommands[] = {
     {"sheet", in_sheet, sheet, 128, "[NAME|RECIPE ...] [options]", "one picture of all presets, or of these"},
     {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]",
      "grow a cell program, ask about it, or find some"},
+    {"surface", in_surface, surface, 0, "SHAPE NAME|RECIPE [key=value ...] [options]",
+     "grow a texture for a torus, vase, sphere or your own surface"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
     {"tiles", in_tiles, tiles, 0, "NAME|RECIPE [key=value ...] [options]", "corner tiles, which lay an endless floor"},
 };
@@ -59,6 +61,7 @@ std::string command_help(const CommandEntry& entry) {
   if (entry.command != in_list && entry.side != 0) text += "; --size is " + size + " if not given";
   text += "\n\n" + options_help(entry.command);
   if (entry.command & in_rule) return text + rule_help();
+  if (entry.command & in_surface) text += surface_help();
   return entry.command & kTakesSubject ? text + keys_help() : text;
 }
 

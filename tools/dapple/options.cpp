@@ -128,6 +128,19 @@ void read_any_size(Options& o, const std::string& value) {
     refuse_value("--size", value, "N or WxH, each side from 8 (of complete 1) to 65535");
 }
 
+// A decimal number from low to high, all in 1/1000000.
+int32_t decimal(const char* name, const std::string& text, int32_t low, int32_t high, const char* allowed) {
+  int32_t value = 0;
+  const bool read = text.size() < 40 && dapple::recipe::read_decimal(dapple::recipe::word_of(text.c_str()), value);
+  if (!read || value < low || value > high) refuse_value(name, text, allowed);
+  return value;
+}
+
+std::string file_name(const char* name, const std::string& value) {
+  if (value.empty()) refuse_value(name, value, "a file name");
+  return value;
+}
+
 void read_tile_size(Options& o, const std::string& value) {
   o.width = o.height = static_cast<uint16_t>(number("--size", value, dapple::kSmallestSide, kLargestSheetTile));
 }
@@ -156,6 +169,29 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) { o.count = number("--count", v, 1, 1000); }},
     {"--json", nullptr, in_rule, "of settle, score, complete and random: the answer as JSON",
      [](Options& o, const std::string&) { o.json = true; }},
+    {"--size", "N|WxH", in_surface,
+     "cells of a patch (torus 384x192, vase 256x256, sphere and atlas 96; else the file's)", read_size},
+    {"--ratio", "R", in_surface,
+     ".01 to .95: of a torus, the tube's radius in the ring's (.5); of a vase, its swell (.45)",
+     [](Options& o, const std::string& v) {
+       o.ratio = decimal("--ratio", v, 10000, 950000, "a number from .01 to .95");
+     }},
+    {"--tall", "T", in_surface,
+     ".01 to 10: of a vase, its height in mean circumferences (.9); of --heights, white in\nwidths of the picture (.1)",
+     [](Options& o, const std::string& v) {
+       o.tall = decimal("--tall", v, 10000, 10000000, "a number from .01 to 10");
+     }},
+    {"--heights", "FILE", in_surface, "of flat: a PGM, PPM or PNG picture, a height for every cell",
+     [](Options& o, const std::string& v) { o.heights = file_name("--heights", v); }},
+    {"--metric", "FILE", in_surface,
+     "of flat: text, 'WIDTH HEIGHT [PATCHES]' and xx xy yy of every cell's metric tensor",
+     [](Options& o, const std::string& v) { o.metric = file_name("--metric", v); }},
+    {"--atlas", "FILE", in_surface,
+     "of flat: text, lines 'PATCH SIDE PATCH SIDE [reversed]', 'PATCH SIDE closed' or\n"
+     "'PATCH SIDE fixed A B'; sides are left, right, top, bottom, those not named closed",
+     [](Options& o, const std::string& v) { o.atlas = file_name("--atlas", v); }},
+    {"--preview", "FILE", in_surface, "write a picture of the object too, without and with correction",
+     [](Options& o, const std::string& v) { o.preview = file_name("--preview", v); }},
     {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
     {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
      read_size},
@@ -171,7 +207,8 @@ const Option kOptions[] = {
        if (v.empty()) refuse_value("-o", v, "the name of a folder");
        o.output = v;
      }},
-    {"--seed", "N", in_grow | in_sheet | in_stream | in_tiles, "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
+    {"--seed", "N", in_grow | in_sheet | in_stream | in_tiles | in_surface,
+     "0 to 4294967295, decimal or 0x...; another seed, another tile (1337)",
      [](Options& o, const std::string& v) { o.seed = number("--seed", v, 0, UINT32_MAX, true); }},
     {"--steps", "N", in_grow, "stop after N steps in all (the recipe's); 0 shows the start",
      [](Options& o, const std::string& v) { o.steps = number("--steps", v, 0, 1000000); }},
@@ -179,21 +216,24 @@ const Option kOptions[] = {
      "how map=@FILE (PGM, PPM, PNG) is read: structure, stripes along what the picture shows;\n"
      "values, grey as 0 to 180 degrees, red and green as the doubled vector (structure)",
      [](Options& o, const std::string& v) { o.map_as = static_cast<MapAs>(choice("--map-as", v, kMapAs)); }},
-    {"-o", "FILE", in_grow | in_sheet, "file to write; its suffix picks the format; - is standard output", read_output},
-    {"--format", "FORMAT", in_grow | in_sheet | in_tiles,
+    {"-o", "FILE", in_grow | in_sheet | in_surface,
+     "file to write; its suffix picks the format; - is standard output", read_output},
+    {"--format", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",
      [](Options& o, const std::string& v) { o.format = static_cast<Format>(choice("--format", v, kFormats)); }},
-    {"--view", "VIEW", in_grow | in_sheet | in_tiles, "colour, field, cells, height, normal, opacity, roughness (colour)",
+    {"--view", "VIEW", in_grow | in_sheet | in_tiles | in_surface, "colour, field, cells, height, normal, opacity, roughness (colour)",
      [](Options& o, const std::string& v) { o.view = static_cast<dapple::View>(choice("--view", v, kViews)); }},
-    {"--pixels", "FORMAT", in_grow | in_sheet | in_tiles,
+    {"--pixels", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "for raw and c: l8, rgb888, rgba8888, rgb565, rgb565_swapped, l1_msb, l1_lsb,\n"
      "l1_pages, l16, l16_swapped (rgba8888); for png the first three and the last\n"
      "(rgb888, grey views l8), for qoi two of the first, for pgm l8 and the last",
      [](Options& o, const std::string& v) { o.pixels = static_cast<dapple::Pixels>(choice("--pixels", v, kPixels)); }},
-    {"--ramp", "NAME|STOPS", in_grow | in_tiles, "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
-    {"--dither", nullptr, in_grow | in_sheet | in_tiles, "ordered dither, for pixels of less than eight bits a channel",
+    {"--ramp", "NAME|STOPS", in_grow | in_tiles | in_surface,
+     "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
+    {"--dither", nullptr, in_grow | in_sheet | in_tiles | in_surface,
+     "ordered dither, for pixels of less than eight bits a channel",
      [](Options& o, const std::string&) { o.dither = true; }},
-    {"--flip-y", nullptr, in_grow | in_sheet | in_tiles, "normal maps whose green points down",
+    {"--flip-y", nullptr, in_grow | in_sheet | in_tiles | in_surface, "normal maps whose green points down",
      [](Options& o, const std::string&) { o.flip_y = true; }},
     {"--maps", "FOLDER", in_grow,
      "write a material: FOLDER/NAME_height.png (16 bit), _normal, _colour (unlit),\n"
@@ -205,15 +245,16 @@ const Option kOptions[] = {
     {"--mips", nullptr, in_grow, "with --maps: every level down to one pixel too, NAME_colour.1.png and on",
      [](Options& o, const std::string&) { o.mips = true; }},
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
-    {"--budget", "ROWS", in_grow | in_tiles, "rows of work at once; never changes the bytes",
+    {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
-    {"--threads", "N", in_grow | in_info | in_tiles, "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
+    {"--threads", "N", in_grow | in_info | in_tiles | in_surface,
+     "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},
     {"--kernels", "KERNELS", in_grow, "portable, best; never changes the bytes (best)",
      [](Options&, const std::string& v) { choice("--kernels", v, "portable|best"); }},
-    {"--hash", nullptr, in_grow, "print the hash of the field, 16 hexadecimal digits, and write nothing",
+    {"--hash", nullptr, in_grow | in_surface, "print the hash of the field, 16 hexadecimal digits, and write nothing",
      [](Options& o, const std::string&) { o.hash = true; }},
 };
 
@@ -239,6 +280,8 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   if ((command & in_rule) != 0 && (options.subject.empty() || (options.verb.empty() && !is_change(word)))) {
     if (word.empty()) refuse("'' is not a cell program; give a number, MAP..., or random");
     (options.subject.empty() ? options.subject : options.verb) = word;
+  } else if ((command & in_surface) != 0 && options.shape.empty()) {
+    options.shape = word;
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
@@ -266,6 +309,9 @@ void read_options(Command command, const std::vector<std::string>& words, Option
   }
   if ((command & in_rule) != 0 && options.subject.empty())
     refuse("the cell program is missing; give a number, MAP..., or random");
+  if ((command & in_surface) != 0 && choice("the surface", options.shape, kShapes) < 3 &&
+      !(options.heights + options.metric + options.atlas).empty())
+    refuse("--heights, --metric and --atlas are for the surface flat");
   if ((command & kTakesSubject) != 0 && options.subject.empty())
     refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
   if (options.at && options.repeat)

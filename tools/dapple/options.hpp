@@ -10,10 +10,13 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64 };
-constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles;  // NAME|RECIPE [key=value ...]
+enum Command : unsigned {
+  in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64, in_surface = 128
+};
+constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles | in_surface;  // NAME|RECIPE [key=value ...]
 
 constexpr uint16_t kLargestSheetTile = 8191;  // of tiles: the preview has eight, and at most 65535 pixels
+constexpr const char* kShapes = "torus|vase|sphere|flat";  // of surface
 
 // A pixel of the endless plane.
 struct Place {
@@ -44,6 +47,8 @@ struct Options {
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
   bool mips = false;   // and their levels
+  std::string shape, preview, heights, metric, atlas;  // of surface: its name, and files
+  std::optional<int32_t> ratio, tall;                  // 1/1000000
   bool map = false, rle = false, text = false;
   bool dither = false, flip_y = false, hash = false, json = false;
 };

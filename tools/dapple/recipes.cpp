@@ -81,6 +81,8 @@ static std::string outside(const std::string& text, const Trouble& trouble, cons
 
 // Which words exclude each other follows from the word that was met.
 static std::string impossible(const std::string& word) {
+  if (word.find("repeat") != std::string::npos)
+    return "sides repeat in pairs, left with right and top with bottom";
   if (word == "carry") return "a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
   if (word == "refine")
     return "'then refine' needs a stage of level 1 to 3 before it, and there are at most " +
@@ -213,6 +215,10 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
   dapple::Options options;
   options.bands = bands;
   dapple::Need need{};
+  const dapple::Patch patch = patch_of(subject.recipe);
+  const dapple::Patches patches = {&patch, 1, domain.width, domain.height};
+  if (has_sides(subject.recipe) && domain.plane) refuse("a window of the plane (--at) has no sides; sides= is for tiles");
+  if (has_sides(subject.recipe)) domain = on_patch(patches, 0);
   dapple::Texture().begin(subject.recipe, domain, 0, nullptr, 0, options,
                           &need);  // checks all, and stops for want of memory
   const std::string size = "--size " + size_text(domain.width, domain.height);
@@ -228,6 +234,10 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       fail_for_size(subject, domain, need);
     case dapple::too_far:
       fail_for_place(domain);
+    case dapple::bad_sides:
+      refuse("sides= is for the families threshold, mapped and gray-scott, but not for solver=styled");
+    case dapple::bad_surface:
+      refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:
       refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM, PPM or PNG files");
     case dapple::halo_too_wide:
@@ -251,8 +261,8 @@ std::vector<std::string> keys_of(const Family& family) {
 }
 
 std::vector<std::string> common_keys() {
-  return {"wavelength", "steps",  "level",     "levels", "fine",  "solver", "start", "pitch",   "aspect",   "jitter",
-          "radius",     "amplitude", "ramp",   "range",  "light", "gloss",  "grain", "opacity", "roughness"};
+  return {"wavelength", "steps",     "level", "levels", "fine", "solver", "start", "pitch", "aspect", "jitter",  "radius",
+          "amplitude",  "sides",     "held",  "ramp",   "range", "light", "gloss", "grain", "opacity", "roughness"};
 }
 
 std::string decimal_text(int32_t micro) {

@@ -32,6 +32,11 @@ void Progress::show(const std::string& name, uint64_t done, uint64_t all) {
 Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands)
     : name_(subject.name), recipe_(subject.recipe) {
   const dapple::Need need = need_of(subject, domain, bands);
+  if (has_sides(recipe_)) {
+    patch_ = patch_of(recipe_);
+    patches_ = {&patch_, 1, domain.width, domain.height};
+    domain = on_patch(patches_, 0);
+  }
   rows_ = dapple::api::ground_of(domain, need).height;
   memory_.reset(new (std::nothrow) uint8_t[need.bytes]);
   if (memory_ == nullptr) fail("not enough memory: " + name_ + " needs " + std::to_string(need.bytes) + " bytes");

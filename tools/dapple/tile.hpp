@@ -41,6 +41,8 @@ class Tile {
  private:
   std::string name_;
   dapple::Recipe recipe_;
+  dapple::Patch patch_;  // of a recipe with sides
+  dapple::Patches patches_;
   uint16_t rows_;  // that are grown: the tile's, or the window's with its halo
   std::unique_ptr<uint8_t[]> memory_;
   dapple::Texture texture_;
