@@ -222,7 +222,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   if (ground.patches == nullptr) return parts;
   parts.bands = grid::align4(parts.bands);
   parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) &&
-               parts.planes <= evolve::kMostGhostBytes;
+               static_cast<uint64_t>(parts.planes) <= evolve::kMostGhostBytes;
   return parts;
 }
 
