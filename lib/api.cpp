@@ -151,9 +151,9 @@ DAPPLE_APART void Texture::colour(const Brush& brush, const paint::Source& sourc
   paint::paint_row(shader, brush, source, out);
 }
 
-void Texture::paint(uint16_t y, const Brush& brush, void* out) {
-  if (frugal_ && run_.phase != evolve::Phase::done) return;
-  paint::Source source;
+// The field's rows around y; false where a frugal texture is not done.
+bool Texture::look_at(uint16_t y, paint::Source& source) {
+  if (frugal_ && run_.phase != evolve::Phase::done) return false;
   source.width = domain_.width;
   source.y = y;
   source.world_x = domain_.plane ? domain_.x : 0;
@@ -163,7 +163,18 @@ void Texture::paint(uint16_t y, const Brush& brush, void* out) {
     source.above = field_row(y - 1, y);
     source.below = field_row(y + 1, y);
   }
-  colour(brush, source, static_cast<uint8_t*>(out));
+  return true;
+}
+
+void Texture::paint(uint16_t y, const Brush& brush, void* out) {
+  paint::Source source;
+  if (look_at(y, source)) colour(brush, source, static_cast<uint8_t*>(out));
+}
+
+void Texture::paint(uint16_t y, const Layer* layers, uint8_t count) {
+  paint::Source source;
+  if (!look_at(y, source)) return;
+  for (uint8_t i = 0; i < count; ++i) colour(layers[i].brush, source, static_cast<uint8_t*>(layers[i].row));
 }
 
 }  // namespace dapple

@@ -20,6 +20,7 @@
 #include "model/cells.cpp"
 #include "model/gray_scott.cpp"
 #include "model/threshold.cpp"
+#include "paint/mip.cpp"
 #include "paint/pack.cpp"
 #include "paint/shade.cpp"
 #include "evolve/blocks.cpp"

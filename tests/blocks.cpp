@@ -14,6 +14,7 @@
 #include "world.hpp"
 
 namespace evolve = dapple::evolve;
+namespace stencil = dapple::stencil;
 using dapple::window;
 using tests::Grown;
 using tests::kSeed;
@@ -114,6 +115,21 @@ TEST_CASE("blocks: of one layer keep clear of each other, and a cover holds all 
         REQUIRE(in(cover, 0, cover.x[layer].last, cover.y[layer].last));
       }
     }
+  }
+}
+
+TEST_CASE("blocks: the passes of shading are wide where those of a step are, and have strides enough") {
+  for (const int32_t length : evolve::kShadeLength) {
+    CAPTURE(length);
+    const int32_t narrow = stencil::wide_share(length), most = stencil::wide_share(dapple::grid::kOneVariance);
+    CHECK(narrow == int64_t{most} * length / dapple::grid::kOneVariance);
+    int32_t made = 0;
+    stencil::PassSeries series = stencil::series_of(narrow, 0, narrow);
+    for (stencil::Pass pass{}; stencil::next_pass(series, pass); ++made) CHECK(pass.stride == std::max(made, 1));
+    CHECK(made == stencil::reach_of(narrow, narrow) + 1);
+    CHECK(stencil::reach_of(narrow + 1, narrow) != stencil::reach_of(narrow + 1, narrow + 1));
+    const dapple::grid::Tensor widest = dapple::grid::over({1600 * dapple::grid::kOneVariance, 0, 0}, length);  // of scale 8 and stretch 5
+    CHECK(widest.xx <= stencil::kLargestShare);
   }
 }
 

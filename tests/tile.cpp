@@ -76,6 +76,8 @@ template <const Preset& preset> void same_pixels_of_all_formats() {
   same_pixels<Pixels::l1_msb, preset>();
   same_pixels<Pixels::l1_lsb, preset>();
   same_pixels<Pixels::l1_pages, preset>();
+  same_pixels<Pixels::l16, preset>();
+  same_pixels<Pixels::l16_swapped, preset>();
 }
 
 }  // namespace

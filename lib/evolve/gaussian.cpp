@@ -20,14 +20,16 @@ static void open_plane(const Context& context, Cursor& cursor, int32_t length) {
   const grid::Tensor tensor = context.model->tensor(context.number, cursor.plane);
   cursor.lattice = stencil::lattice_of(grid::over(grid::at_level(tensor, context.level), length));
   cursor.direction = 0;
-  if (cursor.lattice.count > 0) cursor.series = stencil::series_of(cursor.lattice.direction[0].share, 0);
+  if (cursor.lattice.count > 0)
+    cursor.series = stencil::series_of(cursor.lattice.direction[0].share, 0, stencil::wide_share(length));
 }
 
-static void chain_sweep(const Context& context, Cursor& cursor, const stencil::Direction& d, Sweep& sweep) {
+static void chain_sweep(const Context& context, Cursor& cursor, int32_t share, int32_t narrow, Sweep& sweep) {
   sweep.row = grid::choose(context.kernels, &stencil::chain_row);
   sweep.radius = 0;
-  sweep.p[0] = d.share;
-  sweep.p[1] = stencil::reach_of(d.share);
+  sweep.p[0] = share;
+  sweep.p[1] = stencil::reach_of(share, narrow);
+  sweep.p[2] = narrow;
   stencil::Pass pass{};
   while (stencil::next_pass(cursor.series, pass)) {
   }
@@ -40,6 +42,7 @@ bool passes_next(const Context& context, Cursor& cursor, Sweep& sweep, grid::Row
     return true;
   }
   sweep.count = 1;
+  const int32_t narrow = stencil::wide_share(length);
   for (;;) {
     if (cursor.direction == cursor.lattice.count) {
       if (++cursor.plane >= context.model->planes(context.number)) return false;
@@ -50,11 +53,11 @@ bool passes_next(const Context& context, Cursor& cursor, Sweep& sweep, grid::Row
     sweep.first = cursor.plane;
     stencil::Pass pass{};
     const bool along_row = d.vy == 0;
-    if (along_row) chain_sweep(context, cursor, d, sweep);
+    if (along_row) chain_sweep(context, cursor, d.share, narrow, sweep);
     if (along_row || !stencil::next_pass(cursor.series, pass)) {
       const uint8_t turn = cursor.series.turn;
       if (++cursor.direction < cursor.lattice.count)
-        cursor.series = stencil::series_of(cursor.lattice.direction[cursor.direction].share, turn);
+        cursor.series = stencil::series_of(cursor.lattice.direction[cursor.direction].share, turn, narrow);
       if (along_row) return true;
       continue;
     }

@@ -105,13 +105,14 @@ constexpr uint16_t wider(uint16_t a, uint16_t b) { return a > b ? a : b; }
 // length: of the step, Q16 macro steps.
 constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t level, int32_t length) {
   Reach reach{1, 0, 0, model.work_rows, 0, 0, 1, 0, 0, 0};
+  const int32_t narrow = stencil::wide_share(length);
   for (uint8_t plane = 0; plane < model.planes(number); ++plane) {
     const stencil::Lattice lattice = stencil::lattice_of(grid::over(grid::at_level(model.tensor(number, plane), level), length));
     uint16_t spread = 0;
     for (uint8_t i = 0; i < lattice.count; ++i) {
       const stencil::Direction& d = lattice.direction[i];
-      spread = static_cast<uint16_t>(spread + stencil::spread_of(d));
-      const uint16_t stride = stencil::reach_of(d.share);
+      spread = static_cast<uint16_t>(spread + stencil::spread_of(d, narrow));
+      const uint16_t stride = stencil::reach_of(d.share, narrow);
       const uint16_t across = static_cast<uint16_t>(stride * (d.vx < 0 ? -d.vx : d.vx));
       reach.halo = wider(reach.halo, across);
       reach.stride = wider(reach.stride, wider(across, static_cast<uint16_t>(stride * d.vy)));
@@ -121,7 +122,7 @@ constexpr Reach passes_reach(const Model& model, const int32_t* number, uint8_t 
         ++reach.sweeps;
       } else {
         reach.radius = 1;
-        stencil::PassSeries series = stencil::series_of(d.share, 0);
+        stencil::PassSeries series = stencil::series_of(d.share, 0, narrow);
         stencil::Pass pass{};
         while (stencil::next_pass(series, pass)) ++reach.sweeps;
       }

@@ -18,6 +18,7 @@ void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t
 }
 
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row) {
+  if (deep(brush)) return shade_deep(shader, source, brush.format == Pixels::l16_swapped, row);
   constexpr uint8_t kBlock = 16;
   uint8_t rgb[3 * kBlock];
   for (uint32_t x = 0; x < source.width; x += kBlock) {

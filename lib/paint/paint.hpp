@@ -1,4 +1,5 @@
-// From rows of the field to rows of pixels: ramp, slope light, gloss, grain; views; pixel formats; ordered dither.
+// From rows of the field to rows of pixels: ramp, slope light, gloss, grain; views, the maps of a material among them
+// (Witkin & Kass 1991, 1 and 6: displacement, colour, opacity, specularity); pixel formats; ordered dither.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/fixed.hpp"
@@ -23,6 +24,8 @@ struct Paint {
   int32_t light;  // slope light: a slope of the whole range over one cell is a gradient of `light`; 0: flat
   int32_t gloss;  // strength of the highlight, 0..1
   int32_t grain;  // noise of the brightness, 0..1
+  uint8_t opacity[2] = {0, 255};      // at low and at high, 1/255, linear between them: 255 is opaque
+  uint8_t roughness[2] = {204, 102};  // the same: 0 is a mirror, 255 is matt; low ground is rougher than what wears
 };
 
 constexpr bool in_range(const Paint& p) { return p.ramp.count >= 1 && p.ramp.count <= kMaxStops && p.low < p.high; }
@@ -33,6 +36,8 @@ enum class View : uint8_t {
   cells,   // white where the field is above the model's level
   height,  // grey over twice the range about its middle, so that peaks are not clipped
   normal,  // tangent-space normal map: x right, y up, z out of the picture, each 128 + 127 n
+  opacity,    // grey: low..high to the paint's opacity, 255 opaque
+  roughness,  // grey: low..high to the paint's roughness, 255 matt
 };
 
 // Named in memory order, byte by byte.
@@ -46,6 +51,8 @@ enum class Pixels : uint8_t {
   l1_lsb,          // one bit a pixel, rows, leftmost pixel in bit 0
   l1_pages,        // one bit a pixel, bytes of eight pixels down, top pixel in bit 0: row y sets bit y mod 8 of width
                    // bytes and leaves the other bits, so eight rows painted into the same bytes make a page
+  l16,             // little-endian 16 bit luminance; grey views but cells have all 16 bits, colours 257 times their eight
+  l16_swapped,     // big-endian 16 bit luminance: what PNG and PGM hold
 };
 
 // Bytes one row of `width` pixels takes (of a page of eight rows for l1_pages).
@@ -60,6 +67,8 @@ constexpr size_t pixel_bytes(Pixels format, uint16_t width) {
     case Pixels::l1_msb:
     case Pixels::l1_lsb: return (w + 7) / 8;
     case Pixels::l1_pages: return w;
+    case Pixels::l16:
+    case Pixels::l16_swapped: return 2 * w;
   }
   return 0;
 }
@@ -70,6 +79,13 @@ struct Brush {
   Pixels format = Pixels::rgba8888;
   bool dither = false;       // ordered 8 x 8, for the formats of less than eight bits a channel
   bool y_down = false;       // normal maps with green pointing down
+  bool unlit = false;        // colours without light and gloss: what a renderer lights itself
+};
+
+// One of several pictures of the same row.
+struct Layer {
+  Brush brush;
+  void* row;  // pixel_bytes(brush.format, width) bytes
 };
 
 }  // namespace dapple
@@ -98,6 +114,7 @@ struct Shader {
   uint32_t seed;
   View view;
   bool y_down;
+  uint8_t from, to;          // what grey views make of low and high
   uint8_t stops;
   Stretch stretch[kMaxStops];
 };
@@ -108,6 +125,13 @@ void shade(const Shader& shader, const Source& source, uint16_t x, uint8_t count
 
 // Packs rgb pixels from x on into a row of the format.
 void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t x, uint8_t count, uint8_t* row);
+
+// Grey views at 16 bits a pixel, a whole row; which they are.
+constexpr bool deep(const Brush& brush) {
+  const bool wide = brush.format == Pixels::l16 || brush.format == Pixels::l16_swapped;
+  return wide && brush.view != View::colour && brush.view != View::normal && brush.view != View::cells;
+}
+void shade_deep(const Shader& shader, const Source& source, bool swapped, uint8_t* row);
 
 // A whole row.
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row);

@@ -19,13 +19,16 @@ constexpr Shader shader_of(const Paint& paint, const Brush& brush, int16_t unit,
     s.span *= 2;
   }
   const int32_t light = brush.view == View::normal && paint.light == 0 ? base::kMicro : paint.light;
-  s.slope = static_cast<int32_t>(base::divide_round(static_cast<int64_t>(light) * 128 * 65536 / base::kMicro, high > low ? high - low : 1));
+  const bool flat = brush.unlit && brush.view == View::colour;
+  s.slope = flat ? 0 : static_cast<int32_t>(base::divide_round(static_cast<int64_t>(light) * 128 * 65536 / base::kMicro, high > low ? high - low : 1));
   s.gloss = static_cast<int32_t>(static_cast<int64_t>(paint.gloss) * 256 / base::kMicro);
   s.grain = static_cast<int32_t>(static_cast<int64_t>(paint.grain) * 256 / base::kMicro);
   s.cell_level = cell_level;
   s.seed = seed;
   s.view = brush.view;
   s.y_down = brush.y_down;
+  s.from = brush.view == View::opacity ? paint.opacity[0] : brush.view == View::roughness ? paint.roughness[0] : uint8_t{0};
+  s.to = brush.view == View::opacity ? paint.opacity[1] : brush.view == View::roughness ? paint.roughness[1] : uint8_t{255};
   s.stops = paint.ramp.count;
   for (uint8_t i = 0; i < s.stops; ++i) {
     const Stop &a = paint.ramp.stop[i], &b = paint.ramp.stop[i + 1 < s.stops ? i + 1 : i];
@@ -82,6 +85,11 @@ inline void put_565(uint8_t* to, const uint8_t* rgb, bool swapped, bool dither, 
   to[1] = swapped ? low : high;
 }
 
+inline void put_16(uint8_t* to, uint16_t value, bool swapped) {
+  to[swapped ? 1 : 0] = static_cast<uint8_t>(value & 255);
+  to[swapped ? 0 : 1] = static_cast<uint8_t>(value >> 8);
+}
+
 inline void put_one(uint8_t* byte, uint8_t bit, bool on) {
   const uint8_t mask = static_cast<uint8_t>(1u << bit);
   *byte = static_cast<uint8_t>(on ? *byte | mask : *byte & ~mask);
@@ -104,6 +112,8 @@ inline void put_pixel(Pixels format, uint16_t x, uint16_t y, const uint8_t* rgb,
     case Pixels::l1_msb: put_one(row + x / 8, 7 - x % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
     case Pixels::l1_lsb: put_one(row + x / 8, x % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
     case Pixels::l1_pages: put_one(row + x, y % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
+    case Pixels::l16:
+    case Pixels::l16_swapped: put_16(row + 2 * at, static_cast<uint16_t>(257u * luminance(rgb)), format == Pixels::l16_swapped); break;
   }
 }
 

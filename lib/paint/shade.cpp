@@ -18,6 +18,13 @@ static int32_t place(const Shader& s, int32_t value) {
   return over * 4080 / s.span;
 }
 
+// The place in the range as 0..65535, rounded: over 65535 / span by two divisions, because over is up to 131070 and
+// 65535 = 255 * 257. The products are below 2^26.
+static uint16_t deep_place(const Shader& s, int32_t value) {
+  const int32_t over = base::clamp(value - s.low, 0, s.span) * 255;
+  return static_cast<uint16_t>(over / s.span * 257 + (over % s.span * 257 + s.span / 2) / s.span);
+}
+
 static void ramp_colour(const Shader& s, int32_t at_q4, uint8_t* rgb) {
   uint8_t i = 0;
   while (i + 1 < s.stops && s.stretch[i + 1].at <= at_q4 >> 4) ++i;
@@ -69,6 +76,12 @@ static void normal(const Shader& s, const Source& f, uint16_t x, uint8_t* rgb) {
 
 static void grey(uint8_t value, uint8_t* rgb) { rgb[0] = rgb[1] = rgb[2] = value; }
 
+// from + (to - from) at / 4080, rounded; the sum is never negative and below 2^21.
+static uint8_t between(const Shader& s, int32_t at_q4) {
+  const int32_t moved = (static_cast<int32_t>(s.to) - s.from) * at_q4;
+  return static_cast<uint8_t>((static_cast<int32_t>(s.from) * 4080 + moved + 2040) / 4080);
+}
+
 void shade(const Shader& s, const Source& f, uint16_t x, uint8_t count, uint8_t* rgb) {
   const base::RowKey key = base::row_key(s.seed, kGrainStream, f.world_y);
   for (uint8_t i = 0; i < count; ++i, ++x, rgb += 3) {
@@ -83,7 +96,17 @@ void shade(const Shader& s, const Source& f, uint16_t x, uint8_t count, uint8_t*
       case View::height: grey(static_cast<uint8_t>((place(s, value) + 8) >> 4), rgb); break;
       case View::cells: grey(value > s.cell_level ? 255 : 0, rgb); break;
       case View::normal: normal(s, f, x, rgb); break;
+      case View::opacity:
+      case View::roughness: grey(between(s, place(s, value)), rgb); break;
     }
+  }
+}
+
+// from and to in sixteen bits are 257 times themselves; |to - from| * 65535 < 2^24.
+void shade_deep(const Shader& s, const Source& f, bool swapped, uint8_t* row) {
+  for (uint16_t x = 0; x < f.width; ++x, row += 2) {
+    const int32_t moved = (static_cast<int32_t>(s.to) - s.from) * deep_place(s, f.here[x]);
+    put_16(row, static_cast<uint16_t>((static_cast<int32_t>(s.from) * 65535 + moved + 127) / 255), swapped);
   }
 }
 

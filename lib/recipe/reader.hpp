@@ -29,7 +29,8 @@ struct Reader {
   uint8_t stage;       // the one being written; numbers go to it and all later ones
   int32_t wavelength;  // 0: not given
   uint32_t levels, fine;
-  bool angle_given, angles_given, pairs_given, pitch_given, radius_given, steps_given;
+  bool angle_given, angles_given, pairs_given, pitch_given, radius_given, solver_given;
+  bool multigrid, was_multigrid;  // now asked for; what the recipe is that is changed
   int32_t first_angle, scale;  // before
   Word schedule, length;       // the last schedule and the last scale read
 };

@@ -63,7 +63,7 @@ struct Family {
   const Model* model;
   const Number* numbers;
   uint8_t number_count;
-  const char* solver_names;  // separated by '|'
+  const char* solver_names;  // separated by '|'; multigrid is the first one over several grids (levels.hpp)
   const evolve::Solver* solvers[4];
   uint32_t steps;
   Start start;
@@ -78,7 +78,7 @@ struct Family {
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
 
 inline constexpr Family families[] = {
-    {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler",
+    {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler|multigrid",
      {&evolve::gaussian, &evolve::euler}, 32,
      {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
     {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled|surface",

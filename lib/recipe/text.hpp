@@ -2,12 +2,13 @@
 //
 //   recipe = model { key=value } { "then" ("carry" | "refine") { key=value } }
 //
-// Keys: the model's numbers; steps, level, solver of the stage; levels, fine (a whole coarse-to-fine run); wavelength
+// Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
 // (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; sides=repeat|closed|fixed, of all,
-// across and down, or left, right, top and bottom, and held=A,B; ramp, range=LOW,HIGH, light, gloss, grain. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
+// across and down, or left, right, top and bottom, and held=A,B; ramp, range=LOW,HIGH, light,
+// gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "reader.hpp"
+#include "levels.hpp"
 
 namespace dapple::recipe {
 
@@ -38,11 +39,8 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   return true;
 }
 
-// Total steps of the recipe: what `steps=` of an override means, whatever levels it runs on.
-constexpr uint32_t total_steps(const Recipe& r) {
-  uint32_t sum = 0;
-  for (uint8_t i = 0; i < r.stages; ++i) sum += r.stage[i].steps;
-  return sum;
+constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
+  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
 
 constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
@@ -51,7 +49,7 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
   int32_t index = 0;
   found = true;
   if (equal(key, "steps")) {
-    if (!integer_in(r, value, 0, 1000000, whole)) return false;
+    if (!integer_in(r, value, 0, kMostSteps, whole)) return false;
     const uint32_t later = total_steps(*r.recipe) - stage.steps;  // stages of an overridden recipe keep theirs
     if (r.stage + 1 < r.recipe->stages && whole < later) return fail(r, out_of_range, value, static_cast<int32_t>(later), 1000000, true);
     stage.steps = r.stage + 1 < r.recipe->stages ? whole - later : whole;
@@ -63,12 +61,16 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     return true;
   }
   if (equal(key, "solver")) {
+    if (equal(value, "binary") && stage.model == &threshold_model) return fail(r, not_possible, value);  // the family bits
     if (!word_in(r, value, r.family->solver_names, index)) return false;
+    r.solver_given = true;
+    r.multigrid = equal(value, kMultigrid);
+    if (r.multigrid) index = 0;
     for (uint8_t s = r.stage; s < r.recipe->stages; ++s) r.recipe->stage[s].solver = r.family->solvers[index];
     return true;
   }
   if (equal(key, "levels")) return integer_in(r, value, 1, kMaxLevel + 1, r.levels);
-  if (equal(key, "fine")) return integer_in(r, value, 1, 100000, r.fine);
+  if (equal(key, "fine")) return integer_in(r, value, 1, kMostFine, r.fine);
   if (equal(key, "wavelength")) return decimal_in(r, value, base::kMicro, 500 * base::kMicro, r.wavelength);
   found = false;
   return true;
@@ -126,6 +128,16 @@ constexpr bool side_key(Reader& r, Word key, Word value, bool& found) {
   return true;
 }
 
+// "LOW,HIGH", both 0..1, in 1/255.
+constexpr bool shares_in(Reader& r, Word text, uint8_t* shares) {
+  int32_t low = 0, high = 0;
+  Word rest = text;
+  if (!decimal_in(r, take(rest, ','), 0, base::kMicro, low) || !decimal_in(r, rest, 0, base::kMicro, high)) return false;
+  shares[0] = static_cast<uint8_t>(times(low, 255, base::kMicro));
+  shares[1] = static_cast<uint8_t>(times(high, 255, base::kMicro));
+  return true;
+}
+
 constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   Paint& p = r.recipe->paint;
   found = true;
@@ -138,6 +150,8 @@ constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "light")) return decimal_in(r, value, 0, 100 * base::kMicro, p.light);
   if (equal(key, "gloss")) return decimal_in(r, value, 0, base::kMicro, p.gloss);
   if (equal(key, "grain")) return decimal_in(r, value, 0, base::kMicro, p.grain);
+  if (equal(key, "opacity")) return shares_in(r, value, p.opacity);
+  if (equal(key, "roughness")) return shares_in(r, value, p.roughness);
   found = false;
   return true;
 }
@@ -171,27 +185,6 @@ constexpr bool then_stage(Reader& r, Word word) {
   return true;
 }
 
-// levels=L fine=F: the run's steps, all but F on each finer grid, on the coarsest.
-constexpr bool spread_levels(Reader& r, Word all) {
-  if (r.levels == 0) return r.fine == 0 || fail(r, not_possible, all);
-  Recipe& recipe = *r.recipe;
-  const uint32_t total = total_steps(recipe), fine = r.fine == 0 ? 6 : r.fine;
-  if (total <= fine * (r.levels - 1)) return fail(r, not_possible, all);
-  recipe.stages = static_cast<uint8_t>(r.levels);
-  for (uint8_t i = 0; i < recipe.stages; ++i) {
-    recipe.stage[i] = recipe.stage[0];
-    recipe.stage[i].level = static_cast<uint8_t>(recipe.stages - 1 - i);
-    recipe.stage[i].entry = i == 0 ? Entry::start : Entry::refine;
-    recipe.stage[i].refine = i == 0 ? nullptr : evolve::refine_row;
-    recipe.stage[i].steps = fine;
-  }
-  recipe.stage[0].steps = total - fine * (r.levels - 1);
-  return true;
-}
-
-constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
-  return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
-}
 constexpr int32_t times(int32_t value, int32_t now, int32_t was, const int32_t* range) {
   const int64_t product = base::divide_round(static_cast<int64_t>(value) * now, was);
   return static_cast<int32_t>(product < range[0] ? range[0] : product > range[1] ? range[1] : product);
@@ -347,6 +340,7 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
     r.pairs_given = true;
   } else {
     r.family = family_of(recipe);
+    r.was_multigrid = is_multigrid(recipe, *r.family);
   }
   const int8_t angle = slot_named(*r.family, "angle"), scale = slot_named(*r.family, "scale");
   r.first_angle = angle < 0 ? 0 : recipe.stage[0].number[angle];

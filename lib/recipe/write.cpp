@@ -114,6 +114,19 @@ static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver)
   put_word(w, f.solver_names, index);
 }
 
+// The stages of a coarse-to-fine run, as the words that lay them.
+static void put_multigrid(Writer& w, const Family& f, const Recipe& recipe) {
+  put_numbers(w, f, recipe.stage[0].number);
+  put_key(w, "solver");
+  put(w, kMultigrid);
+  put_key(w, "levels");
+  put_integer(w, recipe.stages);
+  put_key(w, "fine");
+  put_integer(w, recipe.stage[1].steps);
+  put_key(w, "steps");
+  put_integer(w, total_steps(recipe));
+}
+
 static void put_stage(Writer& w, const Family& f, const Stage& stage) {
   put_numbers(w, f, stage.number);
   put_solver(w, f, stage.solver);
@@ -169,6 +182,13 @@ static void put_ramp(Writer& w, const Ramp& ramp) {
   }
 }
 
+static void put_shares(Writer& w, const char* key, const uint8_t* shares) {
+  put_key(w, key);
+  put_decimal(w, times(shares[0], base::kMicro, 255));
+  put(w, ',');
+  put_decimal(w, times(shares[1], base::kMicro, 255));
+}
+
 static void put_paint(Writer& w, const Paint& p) {
   put_ramp(w, p.ramp);
   put_key(w, "range");
@@ -178,6 +198,8 @@ static void put_paint(Writer& w, const Paint& p) {
   put_pair(w, "light", p.light);
   put_pair(w, "gloss", p.gloss);
   put_pair(w, "grain", p.grain);
+  put_shares(w, "opacity", p.opacity);
+  put_shares(w, "roughness", p.roughness);
 }
 
 }  // namespace recipe
@@ -186,11 +208,13 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   recipe::Writer w = {text, size, 0};
   const Family* family = recipe::family_of(recipe);
   recipe::put(w, family->name);
-  recipe::put_stage(w, *family, recipe.stage[0]);
+  const bool multigrid = recipe::is_multigrid(recipe, *family);
+  if (multigrid) recipe::put_multigrid(w, *family, recipe);
+  else recipe::put_stage(w, *family, recipe.stage[0]);
   recipe::put_start(w, recipe.start);
   if (has_sides(recipe)) recipe::put_sides(w, recipe.sides);
   recipe::put_paint(w, recipe.paint);
-  for (uint8_t i = 1; i < recipe.stages; ++i) {
+  for (uint8_t i = 1; i < recipe.stages && !multigrid; ++i) {
     recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");
     recipe::put_stage(w, *family, recipe.stage[i]);
   }

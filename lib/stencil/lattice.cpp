@@ -45,7 +45,7 @@ void chain_row_by(const grid::Rows& rows, ThreePoint three_point) {
   uint8_t* other = rows.scratch + grid::scratch_bytes(Cell::int16, rows.n, halo);
   int16_t* from = reinterpret_cast<int16_t*>(rows.scratch + before);
   int16_t* to = reinterpret_cast<int16_t*>(other + before);
-  PassSeries series = series_of(rows.p[0], 0);
+  PassSeries series = series_of(rows.p[0], 0, rows.p[2]);
   Pass pass{}, next{};
   if (!next_pass(series, pass)) return;
   grid::copy_row(Cell::int16, from, rows.out[0], rows.n, halo);

@@ -1,6 +1,7 @@
 // Diffusion over one macro step as three-point passes along lattice directions with growing strides.
 // A constant tensor's Gaussian (Witkin & Kass eq. 9, 12; variance V) factors into at most three one-dimensional ones by
-// Selling's reduction, and each of those into passes of stride 1, 1, 2, 3, 4, ... docs/numbers.md has proof and fidelity.
+// Selling's reduction, and each of those into passes of stride 1, 1, 2, 3, 4, ... , of wide ones 1, 1, 2, 3, 4, 6, 8, 11, ...
+// so that their number grows as the logarithm of the width. docs/numbers.md has proof and fidelity.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../grid/plane.hpp"
@@ -13,8 +14,9 @@ using grid::kOneVariance;
 constexpr int16_t kQuarter = 16384;        // the weight 1/4 in Q16: a full pass
 constexpr int16_t kSmallestWeight = 64;    // a lighter last pass is dropped
 constexpr int32_t kSmallestShare = 1966;   // a direction with less variance than .03 is dropped
-constexpr uint16_t kLargestStride = 24;    // passes 1, 1, 2 ... 24 reach a variance of 2450.5 along a direction
-constexpr int32_t kLargestShare = 160595968;  // that variance, Q16
+constexpr int32_t kWideShare = 3014656;    // 46, Q16: what strides 1, 1, 2 ... 6 reach; a direction with more is wide
+constexpr uint16_t kLargestStride = 91;    // passes 1, 1, 2, 3, 4, 6 ... 91 reach a variance of 8231.5 along a direction
+constexpr int32_t kLargestShare = 539459584;  // that variance, Q16
 
 // One direction of the reduction: V = sum of share * v v^T. vy > 0, or (vx, vy) == (1, 0).
 struct Direction {
@@ -77,18 +79,35 @@ struct Pass {
 };
 
 // The passes of one direction. Strides 1, 1, 2, 3 ... : stride s at the full weight 1/4 adds s^2 / 2 to the variance;
-// the last pass takes what is left.
+// the last pass takes what is left. A wide one's strides grow by the root of 2 from 4 on: two passes double the width. Wide is
+// what has more than `narrow`: wide_share(length) for a step of that length, so that recipes are wide or not, not steps.
 struct PassSeries {
   int32_t rest;   // variance still to be made, Q16
   uint16_t made;  // passes so far
   uint8_t turn;   // parity of the full passes of this plane
+  bool wide;
 };
 
-constexpr PassSeries series_of(int32_t share, uint8_t turn) { return {share, 0, turn}; }
+constexpr int32_t wide_share(int32_t length) {
+  if (length == kOneVariance) return kWideShare;
+  return static_cast<int32_t>(static_cast<int64_t>(kWideShare) * length / kOneVariance);
+}
+
+constexpr PassSeries series_of(int32_t share, uint8_t turn, int32_t narrow = kWideShare) {
+  return {share, 0, turn, share > narrow};
+}
+
+// 1, 1, 2, 3, 4, then 5, 6, 7 ..., or 6, 8, 11, 16, 23, 32, 45, 64, 91: 4 sqrt(2)^i, 181 / 32 = 5.656.
+constexpr uint16_t stride_at(uint16_t made, bool wide) {
+  if (made == 0) return 1;
+  if (!wide || made < 4) return made;
+  const uint16_t twice = static_cast<uint16_t>((made - 4) / 2);
+  return static_cast<uint16_t>(made % 2 == 0 ? UINT32_C(4) << twice : ((UINT32_C(181) << twice) + 16) >> 5);
+}
 
 constexpr bool next_pass(PassSeries& series, Pass& pass) {
   if (series.rest <= 0) return false;
-  const uint16_t stride = static_cast<uint16_t>(series.made == 0 ? 1 : series.made);
+  const uint16_t stride = stride_at(series.made, series.wide);
   if (stride > kLargestStride) return false;
   const int32_t square = static_cast<int32_t>(stride) * stride;
   const int32_t capacity = square * (kOneVariance / 2);
@@ -108,8 +127,8 @@ constexpr bool next_pass(PassSeries& series, Pass& pass) {
 }
 
 // The largest stride of the direction's passes.
-constexpr uint16_t reach_of(int32_t share) {
-  PassSeries series = series_of(share, 0);
+constexpr uint16_t reach_of(int32_t share, int32_t narrow = kWideShare) {
+  PassSeries series = series_of(share, 0, narrow);
   Pass pass{};
   uint16_t reach = 0;
   while (next_pass(series, pass)) reach = pass.stride;
@@ -117,8 +136,8 @@ constexpr uint16_t reach_of(int32_t share) {
 }
 
 // How far, in rows or cells, all passes of a direction together carry a value.
-constexpr uint16_t spread_of(const Direction& d) {
-  PassSeries series = series_of(d.share, 0);
+constexpr uint16_t spread_of(const Direction& d, int32_t narrow = kWideShare) {
+  PassSeries series = series_of(d.share, 0, narrow);
   Pass pass{};
   uint16_t sum = 0;
   while (next_pass(series, pass)) sum = static_cast<uint16_t>(sum + pass.stride);
@@ -131,7 +150,7 @@ constexpr uint16_t spread_of(const Direction& d) {
 // the result stays between the least and the greatest of the three cells (exhaustively tested).
 void pass_row(const grid::Rows& rows);
 
-// Kernel of all passes along (1, 0), row by row in cache. in place: out[0]. p: {share, halo}. scratch: two rows with halo.
+// Kernel of all passes along (1, 0), row by row in cache. in place: out[0]. p: {share, halo, narrow}. scratch: two rows with halo.
 void chain_row(const grid::Rows& rows);
 
 // Both with a pass of somebody's own, for kernels of a port: out[x] from l[x], c[x], r[x]; no row overlaps another.

@@ -164,8 +164,10 @@ enum dapple_pixels_values {
   DAPPLE_RGB565_SWAPPED = 4, /* big-endian 16 bit: rrrrrggg gggbbbbb, what most small panels take */
   DAPPLE_L1_MSB = 5,         /* one bit a pixel, leftmost pixel in bit 7; 1 = light */
   DAPPLE_L1_LSB = 6,         /* one bit a pixel, leftmost pixel in bit 0 */
-  DAPPLE_L1_PAGES = 7        /* one bit a pixel, bytes of eight pixels down: row y sets bit y mod 8 of width bytes and
+  DAPPLE_L1_PAGES = 7,       /* one bit a pixel, bytes of eight pixels down: row y sets bit y mod 8 of width bytes and
                                 leaves the other bits, so eight rows painted into the same bytes make a page */
+  DAPPLE_L16 = 8,            /* little-endian 16 bit luminance; grey views but cells have all 16 bits */
+  DAPPLE_L16_SWAPPED = 9     /* big-endian 16 bit luminance: what PNG and PGM hold */
 };
 
 typedef uint8_t dapple_view;
@@ -174,7 +176,9 @@ enum dapple_view_values {
   DAPPLE_FIELD = 1,  /* grey: the recipe's range to 0..255 */
   DAPPLE_CELLS = 2,  /* white where the field is above dapple_cell_level */
   DAPPLE_HEIGHT = 3, /* grey over twice the range about its middle, so that peaks are not clipped */
-  DAPPLE_NORMAL = 4  /* tangent-space normal map: x right, y up, z out of the picture, each 128 + 127 n */
+  DAPPLE_NORMAL = 4, /* tangent-space normal map: x right, y up, z out of the picture, each 128 + 127 n */
+  DAPPLE_OPACITY = 5,  /* grey: the range to the recipe's opacity=LOW,HIGH; 255 is opaque */
+  DAPPLE_ROUGHNESS = 6 /* grey: the range to the recipe's roughness=LOW,HIGH; 255 is matt */
 };
 
 /* How a row is painted; all zero is DAPPLE_COLOUR as DAPPLE_L8. */
@@ -183,6 +187,7 @@ typedef struct dapple_brush {
   dapple_pixels format;
   uint8_t dither; /* 1: ordered 8 x 8, for the formats of less than eight bits a channel */
   uint8_t y_down; /* 1: normal maps with green pointing down */
+  uint8_t unlit;  /* 1: colours without light and gloss: what a renderer lights itself */
 } dapple_brush;
 
 /* Bytes a row of `width` pixels takes (of a page of eight rows for DAPPLE_L1_PAGES); 0 for what is no format. */

@@ -36,11 +36,13 @@ static_assert(same(DAPPLE_L8, Pixels::l8) && same(DAPPLE_RGB888, Pixels::rgb888)
 static_assert(same(DAPPLE_RGBA8888, Pixels::rgba8888) && same(DAPPLE_RGB565, Pixels::rgb565), "");
 static_assert(same(DAPPLE_RGB565_SWAPPED, Pixels::rgb565_swapped) && same(DAPPLE_L1_MSB, Pixels::l1_msb), "");
 static_assert(same(DAPPLE_L1_LSB, Pixels::l1_lsb) && same(DAPPLE_L1_PAGES, Pixels::l1_pages), "");
+static_assert(same(DAPPLE_L16, Pixels::l16) && same(DAPPLE_L16_SWAPPED, Pixels::l16_swapped), "");
 
 constexpr bool same(int a, View b) { return a == static_cast<int>(b); }
 static_assert(same(DAPPLE_COLOUR, View::colour) && same(DAPPLE_FIELD, View::field), "");
 static_assert(same(DAPPLE_CELLS, View::cells) && same(DAPPLE_HEIGHT, View::height), "");
-static_assert(same(DAPPLE_NORMAL, View::normal), "");
+static_assert(same(DAPPLE_NORMAL, View::normal) && same(DAPPLE_OPACITY, View::opacity), "");
+static_assert(same(DAPPLE_ROUGHNESS, View::roughness), "");
 
 static Domain domain_of(const dapple_domain& d) {
   return d.plane != 0 ? window(d.x, d.y, d.width, d.height) : torus(d.width, d.height);
@@ -168,22 +170,22 @@ int16_t dapple_unit(const dapple_texture* texture) { return held(texture).textur
 int16_t dapple_cell_level(const dapple_texture* texture) { return held(texture).texture.cell_level(); }
 
 size_t dapple_pixel_bytes(dapple_pixels format, uint16_t width) {
-  if (format > DAPPLE_L1_PAGES) return 0;
+  if (format > DAPPLE_L16_SWAPPED) return 0;
   return dapple::pixel_bytes(static_cast<dapple::Pixels>(format), width);
 }
 
 size_t dapple_paint_with(dapple_texture* texture, uint16_t y, const dapple_brush* brush, void* out) {
   dapple::Texture& t = held(texture).texture;
   const size_t bytes = dapple_pixel_bytes(brush->format, t.domain().width);
-  if (bytes == 0 || y >= t.domain().height || brush->view > DAPPLE_NORMAL) return 0;
+  if (bytes == 0 || y >= t.domain().height || brush->view > DAPPLE_ROUGHNESS) return 0;
   const dapple::Brush b = {static_cast<dapple::View>(brush->view), static_cast<dapple::Pixels>(brush->format),
-                           brush->dither != 0, brush->y_down != 0};
+                           brush->dither != 0, brush->y_down != 0, brush->unlit != 0};
   t.paint(y, b, out);
   return bytes;
 }
 
 size_t dapple_paint(dapple_texture* texture, uint16_t y, dapple_pixels format, void* out) {
-  const dapple_brush brush = {DAPPLE_COLOUR, format, 0, 0};
+  const dapple_brush brush = {DAPPLE_COLOUR, format, 0, 0, 0};
   return dapple_paint_with(texture, y, &brush, out);
 }
 

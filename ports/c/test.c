@@ -300,33 +300,38 @@ static void check_presets(void) {
 
 /* Every format and view has bytes of its own; what is none writes nothing. */
 static void check_paint(void) {
-  uint64_t seen[2 * 8 + 5];
+  uint64_t seen[2 * 10 + 8];
   unsigned count = 0, i, format, view;
   uint8_t row[8] = {0};
   dapple_texture texture;
   dapple_brush brush;
-  void* memory = begun(&texture, "maze steps=12", dapple_torus(48, 40), 11);
+  void* memory = begun(&texture, "maze steps=12 opacity=0.2,0.8", dapple_torus(48, 40), 11);
   if (memory == NULL) return;
   finish(&texture, 64);
   memset(&brush, 0, sizeof brush);
-  for (format = 0; format < 8; ++format) {
+  for (format = 0; format < 10; ++format) {
     brush.format = (dapple_pixels)format;
-    for (brush.dither = 0; brush.dither < (format < 3 ? 1 : 2); ++brush.dither)
+    brush.view = format > 7 ? DAPPLE_HEIGHT : DAPPLE_COLOUR; /* 257 times eight bits has two equal bytes */
+    for (brush.dither = 0; brush.dither < (format < 3 || format > 7 ? 1 : 2); ++brush.dither)
       seen[count++] = pixels_hash(&texture, &brush);
   }
   brush.format = DAPPLE_RGB888;
   brush.dither = 0;
-  for (view = 1; view < 5; ++view) {
+  for (view = 1; view < 7; ++view) {
     brush.view = (dapple_view)view;
     seen[count++] = pixels_hash(&texture, &brush);
   }
+  brush.view = DAPPLE_NORMAL;
   brush.y_down = 1;
+  seen[count++] = pixels_hash(&texture, &brush);
+  brush.view = DAPPLE_COLOUR;
+  brush.unlit = 1;
   seen[count++] = pixels_hash(&texture, &brush);
   for (i = 0; i < count; ++i)
     for (format = 0; format < i; ++format) CHECK(seen[i] != seen[format]);
   CHECK(dapple_paint(&texture, 40, DAPPLE_L8, row) == 0 && dapple_row(&texture, 40, (int16_t*)(void*)row) == 0);
-  CHECK(dapple_paint(&texture, 0, (dapple_pixels)8, row) == 0 && dapple_pixel_bytes((dapple_pixels)8, 9) == 0);
-  brush.view = (dapple_view)5;
+  CHECK(dapple_paint(&texture, 0, (dapple_pixels)10, row) == 0 && dapple_pixel_bytes((dapple_pixels)10, 9) == 0);
+  brush.view = (dapple_view)7;
   CHECK(dapple_paint_with(&texture, 0, &brush, row) == 0 && row[0] == 0);
   CHECK(dapple_unit(&texture) > 0 && dapple_cell_level(&texture) < dapple_unit(&texture));
   free(memory);

@@ -53,7 +53,7 @@ bool grow_both(const Preset& preset) {
 extern "C" int main() {
   const int32_t first[] = {3, stencil::kQuarter, 1}, second[] = {3, stencil::kQuarter, 2};
   const int32_t lighter[] = {3, 5000, base::rounding_for(5000)};
-  const int32_t along[] = {4 * grid::kOneVariance, stencil::reach_of(4 * grid::kOneVariance)};
+  const int32_t along[] = {4 * grid::kOneVariance, stencil::reach_of(4 * grid::kOneVariance), stencil::kWideShare};
   const int32_t one_pair[] = {1, threshold::max_difference, 0, threshold::kImpulse};
   const int32_t diffusion[] = {5242, base::rounding_for(5242)};
   int32_t number[gray_scott::slots], rates[4];

@@ -59,7 +59,8 @@ uint8_t ready_pass(Bench& bench, Random& random, int32_t* p) {
 uint8_t ready_chain(Bench& bench, Random& random, int32_t* p) {
   fill(bench.out[0], random, threshold::kLargest);
   p[0] = random.between(1, 64) * random.between(stencil::kSmallestShare, stencil::kLargestShare / 4096);
-  p[1] = stencil::reach_of(p[0]);
+  p[2] = random.below(2) == 0 ? stencil::kWideShare : p[0];
+  p[1] = stencil::reach_of(p[0], p[2]);
   return 1;
 }
 

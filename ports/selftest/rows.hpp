@@ -11,5 +11,5 @@ struct RowsCompared {
 // bounds, one cell in four at a bound, with random numbers within the range of recipes. A row is different too when
 // what lies around it was written to otherwise. A kernel that this test does not know counts as one different row.
 // memory: kRowsMemory bytes, aligned to four.
-constexpr size_t kRowsMemory = 6144;
+constexpr size_t kRowsMemory = 8448;
 RowsCompared compare_rows(const dapple::grid::KernelSwap& swap, void* memory);

@@ -5,7 +5,7 @@
 const dappleWords = {
   // Keys that every family takes, beside its own numbers.
   common: ["wavelength", "steps", "level", "levels", "fine", "solver", "start", "pitch", "aspect", "jitter", "radius",
-    "amplitude", "ramp", "range", "light", "gloss", "grain"],
+    "amplitude", "ramp", "range", "light", "gloss", "grain", "opacity", "roughness"],
 
   // 1/1000000 as a decimal number.
   decimal: (micro) => String(Number((micro / 1e6).toFixed(6))),
@@ -47,7 +47,8 @@ const dappleWords = {
         if (told.word === "carry") return `a recipe has at most ${limits.stages} stages`;
         if (told.word === "refine")
           return `'then refine' needs a stage of level 1 to 3 before it, and there are at most ${limits.stages} stages`;
-        return "fine=F needs levels=L, and the steps must be more than F (L - 1)";
+        if (told.word === "binary") return "solver=binary is a family of its own, of one bit a cell: begin the recipe with bits";
+        return "fine=F needs levels=L or solver=multigrid, and the steps must be more than F (L - 1)";
     }
   },
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The browser page: built, then used in headless Chromium; its bytes are the goldens' and the command line's. The module may
-# take 70 KiB with five families, and 8 KiB more for each one that comes.
+# take 96 KiB with six families, and 8 KiB more for each one that comes.
 #   page.sh [BUILD]
 #   page.sh --packages    what tests/run installs for it
 # SPDX-License-Identifier: MIT
@@ -15,7 +15,7 @@ build=$(cd "${1:-$root/build}" && pwd)
 
 "$root/ports/wasm/build" "$build" || { echo "the module does not build"; exit 1; }
 families=$(grep -c '^ *{"[a-z-]*", &[a-z_]*_model,' "$root/lib/recipe/recipe.hpp")
-bytes=$(wc -c < "$build/wasm/dapple.wasm") most=$(((92 + 8 * (families - 6)) * 1024))
+bytes=$(wc -c < "$build/wasm/dapple.wasm") most=$(((96 + 8 * (families - 6)) * 1024))
 echo "$bytes of at most $most bytes for $families families"
 [ "$families" -ge 6 ] && [ "$bytes" -le "$most" ] || fail "the module has $bytes bytes; $most are the most for $families families"
 

@@ -156,6 +156,44 @@ int try_presets() {
   return wrong;
 }
 
+// The maps of a material at sixteen and eight bits, and their levels, odd sides among them.
+uint64_t maps_hash(dapple::Texture& texture) {
+  using dapple::Pixels;
+  using dapple::View;
+  const dapple::Brush brushes[] = {{View::height, Pixels::l16}, {View::height, Pixels::l16_swapped}, {View::normal, Pixels::rgb888},
+                                   {View::colour, Pixels::rgba8888, false, false, true}, {View::opacity, Pixels::l8},
+                                   {View::roughness, Pixels::l8}};
+  tests::Fnv fnv;
+  for (const dapple::Brush& brush : brushes) {
+    dapple::Mip mip = {brush.format, brush.view == View::normal, texture.domain().width, texture.domain().height};
+    std::vector<uint8_t> level(dapple::pixel_bytes(mip.format, mip.width) * mip.height), next(level.size());
+    for (uint16_t y = 0; y < mip.height; ++y) texture.paint(y, brush, &level[y * dapple::pixel_bytes(mip.format, mip.width)]);
+    for (uint8_t rest = dapple::mip_levels(mip.width, mip.height);; --rest, level.swap(next), mip = mip_below(mip)) {
+      const size_t line = dapple::pixel_bytes(mip.format, mip.width), half = dapple::pixel_bytes(mip.format, dapple::mip_side(mip.width));
+      for (size_t i = 0; i < line * mip.height; ++i) fnv.byte(level[i]);
+      if (rest == 0) break;
+      for (uint16_t y = 0; y < dapple::mip_side(mip.height); ++y) {
+        const uint8_t* rows[3] = {};
+        for (uint8_t k = 0; k < dapple::mip_rows(mip.height); ++k) rows[k] = &level[(2u * y + k) * line];
+        dapple::mip_row(mip, rows, y, &next[y * half]);
+      }
+    }
+  }
+  return fnv.value;
+}
+
+int try_maps() {
+  for (const char* changes : {"", "opacity=0.9,0.1 roughness=0.2,0.7 light=2"}) {
+    const dapple::Recipe recipe = shortened(tests::preset_with("coral", changes), 8);
+    Tile tile(recipe, dapple::torus(61, 46), kWays[0]);
+    if (!tile.grown) return 1;
+    const uint64_t hash = maps_hash(tile.texture);
+    std::printf("coral/maps%s 61x46 8 42 %08lx%08lx\n", *changes != 0 ? "/changed" : "", static_cast<unsigned long>(hash >> 32),
+                static_cast<unsigned long>(hash & UINT32_MAX));
+  }
+  return 0;
+}
+
 int try_families() {
   int wrong = 0;
   for (const dapple::recipe::Family& family : dapple::recipe::families) {
@@ -193,4 +231,4 @@ int try_corners() {
 
 }  // namespace
 
-int main() { return try_presets() + try_families() + try_corners() == 0 ? 0 : 1; }
+int main() { return try_presets() + try_families() + try_maps() + try_corners() == 0 ? 0 : 1; }

@@ -1,6 +1,8 @@
 # Decodes pictures for the tests of the command line.
 #   pictures.py same A B            the same size, channels and pixels
 #   pictures.py size A W H          has that size, and decodes
+#   pictures.py depth A BITS        has so many bits a channel
+#   pictures.py tiles A             differs across its edges no more than inside
 #   pictures.py tiled A B C R       A is B repeated, C columns and R rows
 #   pictures.py pages A W H B       A (raw, l1_pages) has the bits of B (raw, l1_msb)
 #   pictures.py swapped A B         raw 16-bit pixels with their bytes swapped
@@ -22,12 +24,18 @@ def png(data):
         assert checksum == zlib.crc32(kind + body), 'CRC of ' + repr(kind)
         if kind == b'IHDR':
             width, height, depth, colour, pack, filters, lace = struct.unpack('>IIBBBBB', body)
-            assert (depth, pack, filters, lace) == (8, 0, 0, 0)
+            assert (depth in (8, 16), pack, filters, lace) == (True, 0, 0, 0) and (depth == 8 or colour == 0)
         packed += body if kind == b'IDAT' else b''
         place += 12 + length
     assert kind == b'IEND' and place == len(data)
     channels = {0: 1, 2: 3, 6: 4}[colour]
-    return width, height, channels, unfilter(zlib.decompress(packed), width * channels, height, channels)
+    pixel = channels * depth // 8
+    return width, height, channels, values(unfilter(zlib.decompress(packed), width * pixel, height, pixel), depth)
+
+
+# Bytes, or big-endian pairs of them.
+def values(data, depth):
+    return data if depth == 8 else struct.unpack('>%dH' % (len(data) // 2), data)
 
 
 def unfilter(data, line, height, channels):
@@ -87,7 +95,8 @@ def pnm(data):
         return width, height, 1, pixels
     depth, pixels = rest.split(b'\n', 1)
     channels = 1 if kind == b'5' else 3
-    assert depth == b'255' and len(pixels) == width * height * channels
+    pixels = values(pixels, {b'255': 8, b'65535': 16}[depth])
+    assert len(pixels) == width * height * channels
     return width, height, channels, pixels
 
 
@@ -103,8 +112,20 @@ def raw(path):
 def tiled(a, b, columns, rows):
     width, height, channels, pixels = picture(b)
     line = width * channels
-    once = b''.join(pixels[y * line:(y + 1) * line] * columns for y in range(height))
-    return picture(a) == (width * columns, height * rows, channels, once * rows)
+    once = [v for y in range(height) for v in pixels[y * line:(y + 1) * line] * columns]
+    wide, high, same, got = picture(a)
+    return (wide, high, same, list(got)) == (width * columns, height * rows, channels, once * rows)
+
+
+# The mean difference of neighbours by place, the last of them across the edge: no more than a third above the largest.
+def tiles(a):
+    width, height, channels, pixels = picture(a)
+    line = width * channels
+    across = [sum(abs(pixels[y * line + x * channels + c] - pixels[y * line + (x + 1) % width * channels + c])
+                  for y in range(height) for c in range(channels)) for x in range(width)]
+    down = [sum(abs(pixels[y * line + x] - pixels[(y + 1) % height * line + x]) for x in range(line))
+            for y in range(height)]
+    return all(steps[-1] <= max(steps[:-1]) * 4 / 3 for steps in (across, down))
 
 
 def pages(a, width, height, b):
@@ -128,6 +149,10 @@ def main(word, a, *rest):
         return picture(a) == picture(rest[0])
     if word == 'size':
         return picture(a)[:2] == (int(rest[0]), int(rest[1]))
+    if word == 'depth':
+        return raw(a)[24] == int(rest[0])
+    if word == 'tiles':
+        return tiles(a)
     if word == 'tiled':
         return tiled(a, rest[0], int(rest[1]), int(rest[2]))
     if word == 'pages':

@@ -2,23 +2,7 @@
 # Tests the command line end to end: run.sh DAPPLE. One line a failed check, a sum at the end.
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.bash"
-limit=  # of memory, KB
-run() { (if [ -n "$limit" ]; then ulimit -v $limit; fi; exec "$dapple" "$@"); }
-
-# makes FILE ARGUMENTS...: dapple writes that file, says nothing, and leaves nothing else behind.
-makes() {
-  local file=$1 said
-  shift
-  rm -f -- *
-  said=$(run "$@" 2>&1) || bad "$*: $said"
-  equal "$* says nothing" "$said" ""
-  equal "$* writes" "$(ls -A)" "$file"
-  mv -f -- "$file" "$folder/" 2> /dev/null
-}
-
-python=no
-if command -v python3 > /dev/null; then python=yes; else echo "python3 is missing: pictures are not decoded"; fi
-pictures() { [ $python = no ] || check "$*" python3 "$here/pictures.py" "$@"; }
+. "$here/pictures.bash"
 hash_of() { run grow "$@" --hash; }
 
 least_of() { run info "$1" | awk '/^smallest/ { printf "%s%s", x, $3; x = "x" }'; }
@@ -69,6 +53,15 @@ assert 0 < i["wavelength"] < 64 and i["smallest_width"] <= 64 and i["multiple"] 
 assert open(sys.argv[2]).readline() == i["recipe"] + "\n"' "$folder/info.json" "$folder/info"
   check "info: changes" grep -q 'steps=40 ' <(run info zebra steps=40)
   check "info: levels" grep -qE '^multiple of +4 ' <(run info zebra levels=3)
+  run info zebra scale=4 solver=multigrid > "$folder/info.grids"
+  check "info: the word of the stages" grep -q ' solver=multigrid levels=3 fine=6 steps=32 ' "$folder/info.grids"
+  equal "info: cost by solver" "$(sed -n '/^cost by solver/,$s/^  \([a-z]*\) .* rows, [0-9]* cell updates$/\1/p' "$folder/info.grids" | tr '\n' ' ')" \
+    "euler gaussian multigrid "
+  equal "info: the rows of its own solver" "$(awk '/^  multigrid/ { print $2 }' "$folder/info.grids")" \
+    "$(awk '/^rows of work/ { print $4 }' "$folder/info.grids")"
+  equal "info: no multigrid where sides do not halve" "$(run info zebra --size 97 | grep -c '^  multigrid')" 0
+  equal "info: one solver, no comparison" "$(run info mitosis | grep -c 'cost by')" 0
+  check "info: no steps" run info zebra steps=0
   check "info: --threads" grep -qE '^memory ' "$folder/info"
 }
 
@@ -253,8 +246,8 @@ test_usage_errors() {
   for option in 2 0x1 1x0 2x2x2 1x65536; do refused 2 "--repeat '$option'" CxR -- grow zebra --repeat $option; done
   refused 2 --repeat 65535 -- grow zebra --size 1000 --repeat 66x1
   refused 2 "--format 'bmp'" png-own qoi -- grow zebra --format bmp
-  refused 2 "--view 'shiny'" colour normal -- grow zebra --view shiny
-  refused 2 "--pixels 'rgb'" rgb888 l1_pages -- grow zebra --pixels rgb
+  refused 2 "--view 'shiny'" colour roughness -- grow zebra --view shiny
+  refused 2 "--pixels 'rgb'" rgb888 l16_swapped -- grow zebra --pixels rgb
   refused 2 "--pixels rgb565" png rgb888 -- grow zebra --pixels rgb565
   refused 2 "--pixels l8" ppm rgb888 -- grow zebra --pixels l8 -o x.ppm
   refused 2 "--ramp 'mauve'" ember stops -- grow zebra --ramp mauve
@@ -273,6 +266,9 @@ test_recipe_errors() {
   refused 2 "'pairs=6'" "1 to 5" -- info zebra pairs=6
   refused 2 "'scale=x'" "column 7" "'x' is not a number" -- grow zebra scale=x
   refused 2 "'scale='" "column 7" missing -- grow zebra scale=
+  refused 2 "'solver=binary'" "column 8" bits masks= -- grow zebra solver=binary
+  refused 2 "'solver=fast'" "column 8" "gaussian|euler|multigrid" -- grow zebra solver=fast
+  refused 2 "'roughness=2,1'" "0 to 1" -- grow zebra roughness=2,1
   refused 2 "'react=sum'" "column 7" "md|da" -- grow zebra react=sum
   refused 2 "column 19" "'garbage' is not key=value" -- grow 'threshold steps=5 garbage'
   refused 2 "column 28" "'x' is not key=value" -- grow 'threshold pairs=2 rho=0.02 x'
@@ -323,7 +319,6 @@ test_failures() {
   pictures size "$folder/old.png" 64 64
 }
 
-# A signal takes the unfinished file along.
 # Directions from pictures: one of one grey is a constant map; what cannot be read is refused, and says why.
 test_maps() {
   local maps=$folder/maps
@@ -368,17 +363,21 @@ test_maps() {
   refused 2 "--map-as 'up'" structure values -- grow radial --map-as up
 }
 
+# A signal takes the unfinished files along, and the folder made for them.
 test_signal() {
-  local job tries=0
-  rm -f -- *
-  "$dapple" grow gs-worms steps=1000000 --size 512 -o long.png &
-  job=$!
-  while [ -z "$(ls -A)" ] && [ $tries -lt 100 ]; do sleep 0.05; tries=$((tries + 1)); done
-  check "unfinished files have names of their own" ls .dapple-*.part
-  kill -TERM $job
-  wait $job 2> /dev/null
-  equal "ended by the signal" $? 143
-  equal "nothing is left" "$(ls -A)" ""
+  local job tries to
+  for to in "-o long.png" "--maps new --mips"; do
+    rm -rf -- *
+    # shellcheck disable=SC2086
+    "$dapple" grow gs-worms steps=1000000 --size 512 $to &
+    job=$! tries=0
+    while [ -z "$(ls -A . new 2> /dev/null | grep part)" ] && [ $tries -lt 100 ]; do sleep 0.05; tries=$((tries + 1)); done
+    check "$to: unfinished files have names of their own" test -n "$(ls -d .dapple-*.part new/.dapple-*.part 2> /dev/null)"
+    kill -TERM $job
+    wait $job 2> /dev/null
+    equal "$to: ended by the signal" $? 143
+    equal "$to: nothing is left" "$(ls -A)" ""
+  done
 }
 
 for part in words list info bytes steps pictures raw repeat header sheet usage_errors recipe_errors failures maps signal; do

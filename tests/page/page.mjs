@@ -133,8 +133,8 @@ check(order.join(" ").startsWith("closer farther preset recipe copy png c seed d
 
 // Views, seeds, recipes good and broken.
 const seen = new Set();
-for (const view of ["0", "1", "2", "3", "4"]) { await page.selectOption("#paint", view); await settled(page); seen.add(await screen(page)); }
-check(seen.size === 5, "views: " + seen.size + " of 5 differ");
+for (const view of ["0", "1", "2", "3", "4", "5", "6"]) { await page.selectOption("#paint", view); await settled(page); seen.add(await screen(page)); }
+check(seen.size === 6, "views: " + seen.size + " differ; opacity of 0,1 is the field");
 await page.selectOption("#paint", "0");
 await settled(page);
 const first = await screen(page);

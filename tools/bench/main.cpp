@@ -1,6 +1,7 @@
 // Speed, as figures beside plain reference loops measured in the same minutes: each line alternates between the two and
 // prints the best of both and their ratio. Portable kernels, one core.
 //   bench [NAME ...]    lines whose name contains one of the words
+//   bench --solvers     the tables of docs/bench/solvers.md
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
@@ -12,6 +13,7 @@
 
 #include "chunks.hpp"
 #include "recipe/list.hpp"
+#include "solvers.hpp"
 
 namespace {
 
@@ -156,6 +158,7 @@ std::vector<Line> lines() {
 }  // namespace
 
 int main(int count, char** words) {
+  if (count == 2 && std::strcmp(words[1], "--solvers") == 0) return print_solvers(), 0;
   for (const Line& line : lines()) {
     bool wanted = count == 1;
     for (int i = 1; i < count; ++i) wanted = wanted || line.name.find(words[i]) != std::string::npos;

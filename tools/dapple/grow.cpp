@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
 #include "field_hash.hpp"
+#include "maps.hpp"
 #include "tile.hpp"
 
 namespace cli {
@@ -31,18 +32,18 @@ static uint16_t repeated(uint16_t side, uint16_t times) {
   return static_cast<uint16_t>(all);
 }
 
-static Picture picture_of(dapple::Texture& texture, const Options& options) {
+static Picture picture_of(dapple::Texture& texture, dapple::Pixels pixels, const Options& options) {
   Picture picture;
   picture.width = repeated(options.width, options.across);
   picture.height = repeated(options.height, options.down);
   dapple::Brush brush;
   brush.view = options.view;
-  brush.format = dapple::Pixels::rgb888;
+  brush.format = picture.pixels = pixels == dapple::Pixels::l16 || pixels == dapple::Pixels::l16_swapped ? pixels : dapple::Pixels::rgb888;
   brush.y_down = options.flip_y;
-  picture.row = [&texture, &options, brush](uint16_t y, uint8_t* rgb) {
-    texture.paint(static_cast<uint16_t>(y % options.height), brush, rgb);
-    const size_t bytes = size_t{3} * options.width;
-    for (uint16_t copy = 1; copy < options.across; ++copy) std::memcpy(rgb + copy * bytes, rgb, bytes);
+  picture.row = [&texture, &options, brush](uint16_t y, uint8_t* row) {
+    texture.paint(static_cast<uint16_t>(y % options.height), brush, row);
+    const size_t bytes = dapple::pixel_bytes(brush.format, options.width);
+    for (uint16_t copy = 1; copy < options.across; ++copy) std::memcpy(row + copy * bytes, row, bytes);
   };
   return picture;
 }
@@ -55,13 +56,24 @@ static void print_hash(const Subject& subject, const Options& options) {
   hash.print();
 }
 
+void grow_maps(Subject subject, const Options& options) {
+  check_maps(options);
+  set_steps(subject, options);
+  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  MapFiles files(subject.name, options);
+  grow_tile(tile, subject, options);
+  files.write(tile.texture());
+}
+
 void grow(const Options& options) {
+  check_maps(options);
   Subject subject = subject_of(options);
+  if (!options.maps.empty()) return grow_maps(subject, options);
   set_steps(subject, options);
   if (options.hash) return print_hash(subject, options);
   const Target target = target_of(options, subject.name);
   Tile tile(subject, domain_of(options), options.seed, options.bands);
-  Picture picture = picture_of(tile.texture(), options);
+  Picture picture = picture_of(tile.texture(), target.pixels, options);
   picture.name = subject.name;
   const std::string place = options.at ? ", at " + place_text(*options.at) + " of the plane" : "";
   picture.note = "Seed " + std::to_string(options.seed) + place + ", dapple " + version_text() + ": " + line_of(subject.recipe);

@@ -42,9 +42,9 @@ std::vector<Pixels> pixels_of(Format format) {
   switch (format) {
     case Format::png:
     case Format::png_own:
-      return {Pixels::rgb888, Pixels::l8, Pixels::rgba8888};
+      return {Pixels::rgb888, Pixels::l8, Pixels::rgba8888, Pixels::l16_swapped};
     case Format::pgm:
-      return {Pixels::l8};
+      return {Pixels::l8, Pixels::l16_swapped};
     case Format::ppm:
       return {Pixels::rgb888};
     case Format::pbm:
@@ -55,8 +55,8 @@ std::vector<Pixels> pixels_of(Format format) {
     case Format::c:
       break;
   }
-  return {Pixels::rgba8888,       Pixels::l8,     Pixels::rgb888, Pixels::rgb565,
-          Pixels::rgb565_swapped, Pixels::l1_msb, Pixels::l1_lsb, Pixels::l1_pages};
+  return {Pixels::rgba8888, Pixels::l8,     Pixels::rgb888,   Pixels::rgb565, Pixels::rgb565_swapped,
+          Pixels::l1_msb,   Pixels::l1_lsb, Pixels::l1_pages, Pixels::l16,    Pixels::l16_swapped};
 }
 
 Lines::Lines(const Picture& picture, Pixels pixels, bool dither)
@@ -68,6 +68,10 @@ Lines::Lines(const Picture& picture, Pixels pixels, bool dither)
 uint32_t Lines::count() const { return brush_.format == Pixels::l1_pages ? (height() + 7u) / 8u : height(); }
 
 const uint8_t* Lines::next() {
+  if (picture_.pixels != Pixels::rgb888) {
+    picture_.row(static_cast<uint16_t>(y_++), line_.data());
+    return line_.data();
+  }
   constexpr uint32_t kBlock = 240;  // pixels that pack takes at once
   std::fill(line_.begin(), line_.end(), uint8_t{0});
   for (int rows = brush_.format == Pixels::l1_pages ? 8 : 1; rows > 0 && y_ < height(); --rows, ++y_) {
@@ -89,7 +93,7 @@ static void write_lines(Lines& lines, Output& out) {
 // The binary kinds P4 (bit 1: set, or light), P5 and P6.
 static void write_pnm(Lines& lines, char kind, Output& out) {
   out.write("P" + std::string(1, kind) + "\n" + std::to_string(lines.width()) + " " + std::to_string(lines.height()) +
-            (kind == '4' ? "\n" : "\n255\n"));
+            (kind == '4' ? "\n" : lines.pixels() == Pixels::l16_swapped ? "\n65535\n" : "\n255\n"));
   write_lines(lines, out);
 }
 

@@ -10,17 +10,19 @@
 
 namespace cli {
 
-// A picture whose rows of rgb are asked for one by one, from top to bottom.
+// A picture whose rows are asked for one by one, from top to bottom: as rgb888, which is packed into what a file holds, or
+// as the very pixels of the file.
 struct Picture {
   uint16_t width, height;
-  std::function<void(uint16_t y, uint8_t* rgb)> row;
+  std::function<void(uint16_t y, uint8_t* pixels)> row;
+  dapple::Pixels pixels = dapple::Pixels::rgb888;
   std::string name;  // for a C header: an identifier is made of it
   std::string note;  // and where the picture comes from
 };
 
 enum class Format { png, png_own, pgm, ppm, pbm, qoi, raw, c };
 constexpr const char* kFormats = "png|png-own|pgm|ppm|pbm|qoi|raw|c";
-constexpr const char* kPixels = "l8|rgb888|rgba8888|rgb565|rgb565_swapped|l1_msb|l1_lsb|l1_pages";
+constexpr const char* kPixels = "l8|rgb888|rgba8888|rgb565|rgb565_swapped|l1_msb|l1_lsb|l1_pages|l16|l16_swapped";
 
 std::string name_of(Format format);
 std::string name_of(dapple::Pixels pixels);

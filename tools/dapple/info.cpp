@@ -12,9 +12,9 @@ namespace {
 
 // A figure with its name in JSON and in plain text.
 struct Figure {
-  const char *key, *label;
+  std::string key, label;
   std::string value;  // JSON
-  const char* unit;   // of plain text
+  std::string unit;   // of plain text
 };
 
 // Wavelength of the stage with the longest one, 1/kMicro cells.
@@ -97,8 +97,40 @@ std::vector<Figure> figures(const dapple::Recipe& recipe, const dapple::Need& ne
     all.insert(scratch, {"kept_bytes", "  of them kept", text(kept), "bytes"});
   }
   const std::vector<Figure> shape = domain.plane ? window_figures(need, domain) : tile_figures(need);
-  const auto radius = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == std::string("radius"); });
+  const auto radius = std::find_if(all.begin(), all.end(), [](const Figure& f) { return f.key == "radius"; });
   all.insert(radius, shape.begin(), shape.end());
+  return all;
+}
+
+uint64_t updates_of(const dapple::Recipe& recipe, dapple::Domain domain) {
+  uint64_t sum = 0;
+  for (uint8_t i = 0; i < recipe.stages; ++i)
+    sum += dapple::evolve::updates_of(recipe.stage[i], domain.width, domain.height);
+  return sum;
+}
+
+// What the recipe would cost with each solver of its family: on one grid, and over as many as resolve its pattern and
+// the tile's sides allow.
+std::vector<Figure> solver_figures(const Subject& subject, dapple::Domain domain) {
+  std::vector<Figure> all;
+  if (domain.plane || subject.recipe.stage[0].model != &dapple::threshold_model) return all;
+  const auto add = [&](const std::string& name, int levels) {
+    dapple::Recipe recipe = subject.recipe;
+    dapple::Trouble trouble{};
+    const std::string text = "solver=" + name + " levels=" + std::to_string(levels);
+    if (dapple::parse(text.c_str(), recipe, trouble) != dapple::ok) return false;
+    const dapple::Need need = dapple::need_for(recipe, domain);
+    if (need.status != dapple::ok) return false;
+    const std::string updates = std::to_string(updates_of(recipe, domain));
+    all.push_back({"rows_" + name, "  " + name, std::to_string(need.rows), "rows, " + updates + " cell updates"});
+    all.push_back({"updates_" + name, "", updates, ""});
+    return true;
+  };
+  add("euler", 1);
+  add("gaussian", 1);
+  const dapple::Stage& last = subject.recipe.stage[subject.recipe.stages - 1];
+  int levels = dapple::recipe::levels_for(last, steps_of(subject.recipe), dapple::recipe::kFineSteps);
+  while (levels > 1 && !add("multigrid", levels)) --levels;
   return all;
 }
 
@@ -107,7 +139,7 @@ void print_json(const Subject& subject, const std::vector<Figure>& all) {
               json_text(family_of(subject.recipe).name).c_str());
   if (!subject.sentence.empty()) std::printf("  \"sentence\": %s,\n", json_text(subject.sentence).c_str());
   std::printf("  \"recipe\": %s", json_text(line_of(subject.recipe)).c_str());
-  for (const Figure& figure : all) std::printf(",\n  \"%s\": %s", figure.key, figure.value.c_str());
+  for (const Figure& figure : all) std::printf(",\n  \"%s\": %s", figure.key.c_str(), figure.value.c_str());
   std::printf("\n}\n");
 }
 
@@ -115,9 +147,11 @@ void print_json(const Subject& subject, const std::vector<Figure>& all) {
 void print_plain(const Subject& subject, const std::vector<Figure>& all) {
   std::printf("%s\n\n", line_of(subject.recipe).c_str());
   for (const Figure& figure : all) {
+    if (figure.label.empty()) continue;
+    if (figure.key == "rows_euler") std::printf("cost by solver\n");
     std::string value = figure.value;
     value.erase(std::remove(value.begin(), value.end(), '"'), value.end());
-    std::printf("%-16s %10s%s%s\n", figure.label, value.c_str(), figure.unit[0] != 0 ? " " : "", figure.unit);
+    std::printf("%-16s %10s%s%s\n", figure.label.c_str(), value.c_str(), figure.unit.empty() ? "" : " ", figure.unit.c_str());
   }
 }
 
@@ -127,7 +161,9 @@ void info(const Options& options) {
   const Subject subject = subject_of(options);
   const dapple::Domain domain = domain_of(options);
   const dapple::Need need = need_of(subject, domain, options.bands);
-  const std::vector<Figure> all = figures(subject.recipe, need, domain);
+  std::vector<Figure> all = figures(subject.recipe, need, domain);
+  const std::vector<Figure> solvers = solver_figures(subject, domain);
+  all.insert(all.end(), solvers.begin(), solvers.end());
   if (options.json) print_json(subject, all);
   else print_plain(subject, all);
   finish_standard_output();

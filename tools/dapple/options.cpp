@@ -120,7 +120,7 @@ void read_output(Options& o, const std::string& value) {
   o.output = value;
 }
 
-constexpr const char* kViews = "colour|field|cells|height|normal";
+constexpr const char* kViews = "colour|field|cells|height|normal|opacity|roughness";
 
 void read_any_size(Options& o, const std::string& value) {
   const std::string pair = value.find('x') == std::string::npos ? value + "x" + value : value;
@@ -221,11 +221,13 @@ const Option kOptions[] = {
     {"--format", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "png, png-own, pgm, ppm, pbm (bit 1: set, or light), qoi, raw, c (a C header)",
      [](Options& o, const std::string& v) { o.format = static_cast<Format>(choice("--format", v, kFormats)); }},
-    {"--view", "VIEW", in_grow | in_sheet | in_tiles | in_surface, "colour, field, cells, height, normal (colour)",
+    {"--view", "VIEW", in_grow | in_sheet | in_tiles | in_surface,
+     "colour, field, cells, height, normal, opacity, roughness (colour)",
      [](Options& o, const std::string& v) { o.view = static_cast<dapple::View>(choice("--view", v, kViews)); }},
     {"--pixels", "FORMAT", in_grow | in_sheet | in_tiles | in_surface,
      "for raw and c: l8, rgb888, rgba8888, rgb565, rgb565_swapped, l1_msb, l1_lsb,\n"
-     "l1_pages (rgba8888); for png the first three, for qoi two of them (rgb888)",
+     "l1_pages, l16, l16_swapped (rgba8888); for png the first three and the last\n"
+     "(rgb888, grey views l8), for qoi two of the first, for pgm l8 and the last",
      [](Options& o, const std::string& v) { o.pixels = static_cast<dapple::Pixels>(choice("--pixels", v, kPixels)); }},
     {"--ramp", "NAME|STOPS", in_grow | in_tiles | in_surface,
      "other colours: a ramp's name, or stops like 102030,ffd080", read_ramp},
@@ -234,6 +236,15 @@ const Option kOptions[] = {
      [](Options& o, const std::string&) { o.dither = true; }},
     {"--flip-y", nullptr, in_grow | in_sheet | in_tiles | in_surface, "normal maps whose green points down",
      [](Options& o, const std::string&) { o.flip_y = true; }},
+    {"--maps", "FOLDER", in_grow,
+     "write a material: FOLDER/NAME_height.png (16 bit), _normal, _colour (unlit),\n"
+     "_opacity, _roughness",
+     [](Options& o, const std::string& v) {
+       if (v.empty()) refuse_value("--maps", v, "the name of a folder");
+       o.maps = v;
+     }},
+    {"--mips", nullptr, in_grow, "with --maps: every level down to one pixel too, NAME_colour.1.png and on",
+     [](Options& o, const std::string&) { o.mips = true; }},
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
     {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
@@ -306,7 +317,8 @@ void read_options(Command command, const std::vector<std::string>& words, Option
     refuse("the name of a preset or a recipe is missing; 'dapple list' shows the presets");
   if (options.at && options.repeat)
     refuse("--repeat is for tiles, which repeat without a seam; a window of the plane (--at) does not");
-  if (options.flip_y && options.view != dapple::View::normal) refuse("--flip-y is for --view normal only");
+  if (options.flip_y && options.view != dapple::View::normal && options.maps.empty())
+    refuse("--flip-y is for --view normal only, and --maps");
 }
 
 std::string options_help(Command command) {

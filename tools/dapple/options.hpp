@@ -33,6 +33,7 @@ struct Options {
   std::optional<uint32_t> steps;
   MapAs map_as = MapAs::structure;  // how map=@FILE is read
   std::string output;  // empty: after the subject
+  std::string maps;    // the folder of a material's maps; empty: one picture
   std::optional<Format> format;
   dapple::View view = dapple::View::colour;
   std::optional<dapple::Pixels> pixels;
@@ -45,6 +46,7 @@ struct Options {
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
+  bool mips = false;   // and their levels
   std::string shape, preview, heights, metric, atlas;  // of surface: its name, and files
   std::optional<int32_t> ratio, tall;                  // 1/1000000
   bool map = false, rle = false, text = false;

@@ -15,34 +15,43 @@ namespace cli {
 
 namespace files = std::filesystem;
 
-// What to remove when a signal ends the program, files and the folder they are in; the folder has the first place.
-constexpr size_t kMostUnfinished = 32;
-static char unfinished[kMostUnfinished][4096];
+Output* Output::unfinished_ = nullptr;
 
-static void remove_and_end(int signal) {
-  for (size_t i = kMostUnfinished; i-- > 0;)
-    if (unfinished[i][0] != 0 && unlink(unfinished[i]) != 0) rmdir(unfinished[i]);
+// The folder to remove when a signal ends the program; null for none.
+static const char* unfinished_folder = nullptr;
+
+void Output::remove_and_end(int signal) {
+  for (const Output* one = unfinished_; one != nullptr; one = one->next_) unlink(one->temporary_.c_str());
+  if (unfinished_folder != nullptr) rmdir(unfinished_folder);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
-}
-
-static void watch(const std::string& path) {
-  size_t place = 0;
-  while (place < kMostUnfinished && unfinished[place][0] != 0) ++place;
-  if (place == kMostUnfinished || path.size() >= sizeof unfinished[0]) return;
-  std::memcpy(unfinished[place], path.c_str(), path.size() + 1);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, remove_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
-}
-
-static void forget(const std::string& path) {
-  for (char* const place : unfinished)
-    if (path == place) place[0] = 0;
 }
 
 [[noreturn]] static void cannot_write(const std::string& path, const std::string& why) {
   fail("cannot write " + shown(path) + ": " + why);
 }
+
+Folder::Folder(const std::string& path) : path_(path) {
+  std::error_code error;
+  if (files::is_directory(path, error)) return;
+  if (files::exists(path, error)) fail("cannot make the folder " + shown(path) + ": a file has that name");
+  if (!files::create_directory(path, error)) fail("cannot make the folder " + shown(path) + ": " + error.message());
+  made_ = true;
+  unfinished_folder = path_.c_str();
+}
+
+Folder::~Folder() {
+  std::error_code error;
+  if (made_) files::remove(path_, error);
+  unfinished_folder = nullptr;
+}
+
+void Folder::keep() {
+  made_ = false;
+  unfinished_folder = nullptr;
+}
+
+std::string Folder::file(const std::string& name) const { return (files::path(path_) / name).string(); }
 
 Output::Output(const std::string& path) : path_(path) {
   if (path == "-") {
@@ -73,56 +82,65 @@ void Output::open_beside(const std::string& path) {
     temporary_.clear();
     cannot_write(path, std::strerror(errno));
   }
-  watch(temporary_);
+  next_ = unfinished_;
+  unfinished_ = this;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, remove_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 Output::~Output() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   if (temporary_.empty()) return;
   std::remove(temporary_.c_str());
-  forget(temporary_);
+  forget();
+}
+
+// A signal does not look for the temporary file any more.
+void Output::forget() {
+  Output** link = &unfinished_;
+  while (*link != this) link = &(*link)->next_;
+  *link = next_;
+  temporary_.clear();
 }
 
 void Output::write(const void* bytes, size_t count) {
   if (error_ == 0 && std::fwrite(bytes, 1, count, file_) != count) error_ = errno;
 }
 
+// All is written, or the reason is told.
 void Output::close() {
-  if (file_ == nullptr) return;
   if (std::fflush(file_) != 0 && error_ == 0) error_ = errno;
   if (file_ != stdout && std::fclose(file_) != 0 && error_ == 0) error_ = errno;
   file_ = nullptr;
   if (error_ != 0) cannot_write(path_ == "-" ? "standard output" : path_, std::strerror(error_));
 }
 
+// 0, or errno.
+int Output::name() {
+  if (temporary_.empty()) return 0;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) return errno;
+  forget();
+  return 0;
+}
+
 void Output::finish() {
   close();
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) cannot_write(path_, std::strerror(errno));
-  forget(temporary_);
-  temporary_.clear();
+  if (const int error = name()) cannot_write(path_, std::strerror(error));
 }
 
-Folder::Folder(const std::string& path) : path_(path) {
-  std::error_code error;
-  if (files::is_directory(path, error)) return;
-  if (files::exists(path, error)) fail("cannot make the folder " + shown(path) + ": a file has that name");
-  if (!files::create_directory(path, error)) fail("cannot make the folder " + shown(path) + ": " + error.message());
-  made_ = true;
-  watch(path_);
-}
-
-Folder::~Folder() {
-  if (!made_) return;
-  rmdir(path_.c_str());
-  forget(path_);
-}
-
-std::string Folder::file(const std::string& name) const { return (files::path(path_) / name).string(); }
-
-void Folder::keep() {
-  if (made_) forget(path_);
-  made_ = false;
+// Signals wait while the names change.
+void Output::finish_all(const std::vector<std::unique_ptr<Output>>& all) {
+  for (const std::unique_ptr<Output>& one : all) one->close();
+  sigset_t ours, before;
+  sigemptyset(&ours);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ours, signal);
+  sigprocmask(SIG_BLOCK, &ours, &before);
+  size_t named = 0;
+  int error = 0;
+  while (named < all.size() && (error = all[named]->name()) == 0) ++named;
+  for (size_t i = 0; error != 0 && i < named; ++i) std::remove(all[i]->path_.c_str());
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  if (error != 0) cannot_write(all[named]->path_, std::strerror(error));
 }
 
 void finish_standard_output() {

@@ -1,13 +1,31 @@
-// Where a picture goes: standard output, or a file that appears under its name only when it is complete. Several files in a
-// folder: close all of them, and finish them when all are closed.
+// Where a picture goes: standard output, or a file that appears under its name only when it is complete, alone or as one
+// of several that appear together.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace cli {
+
+// A folder, made if it is not there, and gone again unless it is kept.
+class Folder {
+ public:
+  explicit Folder(const std::string& path);
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  void keep();
+  std::string file(const std::string& name) const;
+
+ private:
+  std::string path_;
+  bool made_ = false;
+};
 
 class Output {
  public:
@@ -22,33 +40,25 @@ class Output {
   void write(const std::string& text) { write(text.data(), text.size()); }
   void put(uint8_t byte) { write(&byte, 1); }
 
-  // Everything is written; fails when something was not.
-  void close();
-  // The file is complete: closes it, if that is not done, and gives it its name.
+  // The file is complete: gives it its name.
   void finish();
+
+  // Gives several complete files their names, all of them or none.
+  static void finish_all(const std::vector<std::unique_ptr<Output>>& all);
 
  private:
   void open_beside(const std::string& path);
+  void close();
+  int name();
+  void forget();
+
+  static void remove_and_end(int signal);
+  static Output* unfinished_;  // the files to remove when a signal ends the program
 
   std::string path_, temporary_;  // temporary_ is empty where nothing has to be renamed
   std::FILE* file_ = nullptr;
   int error_ = 0;  // errno of the first failed write
-};
-
-// A folder for files, made if it is not there; one that was made goes again unless it is kept.
-class Folder {
- public:
-  explicit Folder(const std::string& path);
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const;
-  void keep();
-
- private:
-  std::string path_;
-  bool made_ = false;
+  Output* next_ = nullptr;  // of the unfinished ones
 };
 
 // Ends a command that printed to standard output; fails when the text did not get out.

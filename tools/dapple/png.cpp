@@ -1,4 +1,4 @@
-// PNG files (ISO 15948) without libpng: eight bits a channel, filters None, Sub and Up.
+// PNG files (ISO 15948) without libpng: eight bits a channel or sixteen of grey, filters None, Sub and Up.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdlib>
@@ -72,16 +72,18 @@ static void write_rows(Lines& lines, size_t pixel, Output& out) {
 }
 
 void write_png_own(Lines& lines, Output& out) {
-  const bool grey = lines.pixels() == dapple::Pixels::l8, alpha = lines.pixels() == dapple::Pixels::rgba8888;
+  const bool deep = lines.pixels() == dapple::Pixels::l16_swapped;
+  const bool grey = deep || lines.pixels() == dapple::Pixels::l8, alpha = lines.pixels() == dapple::Pixels::rgba8888;
   const uint8_t signature[8] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
   out.write(signature, sizeof signature);
   std::vector<uint8_t> header;
   put_big_endian(header, lines.width());
   put_big_endian(header, lines.height());
   const uint8_t colour_type = grey ? 0 : alpha ? 6 : 2;
-  for (const uint8_t byte : {uint8_t{8}, colour_type, uint8_t{0}, uint8_t{0}, uint8_t{0}}) header.push_back(byte);
+  const uint8_t depth = deep ? 16 : 8;
+  for (const uint8_t byte : {depth, colour_type, uint8_t{0}, uint8_t{0}, uint8_t{0}}) header.push_back(byte);
   write_chunk(out, "IHDR", header);
-  write_rows(lines, grey ? 1 : alpha ? 4 : 3, out);
+  write_rows(lines, lines.bytes() / lines.width(), out);
   write_chunk(out, "IEND", {});
 }
 

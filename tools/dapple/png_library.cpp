@@ -15,7 +15,7 @@ static void write_bytes(png_structp png, png_bytep bytes, size_t count) {
 static void flush_nothing(png_structp) {}
 
 static int colour_type(dapple::Pixels pixels) {
-  if (pixels == dapple::Pixels::l8) return PNG_COLOR_TYPE_GRAY;
+  if (pixels == dapple::Pixels::l8 || pixels == dapple::Pixels::l16_swapped) return PNG_COLOR_TYPE_GRAY;
   return pixels == dapple::Pixels::rgba8888 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
 }
 
@@ -24,7 +24,8 @@ static bool write_all(png_structp png, png_infop info, Lines& lines, Output& out
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_write_fn(png, &out, write_bytes, flush_nothing);
   png_set_user_limits(png, 65535, 65535);
-  png_set_IHDR(png, info, lines.width(), lines.height(), 8, colour_type(lines.pixels()), PNG_INTERLACE_NONE,
+  const int depth = lines.pixels() == dapple::Pixels::l16_swapped ? 16 : 8;
+  png_set_IHDR(png, info, lines.width(), lines.height(), depth, colour_type(lines.pixels()), PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
   for (uint32_t i = lines.count(); i > 0; --i) png_write_row(png, lines.next());

@@ -87,7 +87,10 @@ static std::string impossible(const std::string& word) {
   if (word == "refine")
     return "'then refine' needs a stage of level 1 to 3 before it, and there are at most " +
            std::to_string(dapple::kMaxStages) + " stages";
-  return "fine=F needs levels=L, and the steps must be more than F (L - 1)";
+  if (word == "binary")
+    return "solver=binary is a family of its own, of one bit a cell: begin the recipe with bits; masks=, react=, diffusion=, "
+           "stretch=, angle= and wavelength= are pairs= and so on, rho= is a share of the mask";
+  return "fine=F needs levels=L or solver=multigrid, and the steps must be more than F (L - 1)";
 }
 
 static std::string reason(const std::string& text, const Trouble& trouble) {
@@ -258,8 +261,8 @@ std::vector<std::string> keys_of(const Family& family) {
 }
 
 std::vector<std::string> common_keys() {
-  return {"wavelength", "steps",  "level",     "levels", "fine",  "solver", "start", "pitch", "aspect",
-          "jitter",     "radius", "amplitude", "sides",  "held",  "ramp",   "range", "light", "gloss", "grain"};
+  return {"wavelength", "steps",  "level",     "levels", "fine", "solver", "start", "pitch", "aspect", "jitter",  "radius",
+          "amplitude",  "sides",  "held",      "ramp",   "range", "light", "gloss", "grain", "opacity", "roughness"};
 }
 
 std::string decimal_text(int32_t micro) {

@@ -36,6 +36,7 @@ void check_uses(const Options& o, Verb verb) {
       {"--start", !o.start.empty(), v_grow | v_settle | v_score},
       {"--map", o.map, v_grow},
       {"--hash", o.hash, v_grow},
+      {"--maps", !o.maps.empty(), v_grow},
       {"--at", o.at.has_value(), v_grow},
       {"--repeat", o.repeat, v_grow | v_complete},
       {"--steps", o.steps.has_value(), v_grow | v_settle | v_score | v_random},

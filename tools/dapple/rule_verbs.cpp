@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "errors.hpp"
 #include "input.hpp"
+#include "maps.hpp"
 #include "rule_complete.hpp"
 #include "rule_map.hpp"
 #include "rule_output.hpp"
@@ -142,6 +143,9 @@ void rule_grow(const Subject& subject, Options options) {
     std::printf("%s\n", map_of(program_of(subject.recipe)).c_str());
     return finish_standard_output();
   }
+  if (!options.maps.empty() && (!options.start.empty() || options.text || options.rle))
+    refuse("--maps does not go with --start, --text and --rle");
+  if (!options.maps.empty()) return grow_maps(subject, options);
   if (!options.start.empty() || options.text || wants_rle(options)) return grow_state(subject, options);
   if (!options.hash) {
     const Target target = target_of(options, subject.name);

@@ -4,7 +4,6 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
-#include <deque>
 
 #include "commands.hpp"
 #include "corners.hpp"
@@ -172,9 +171,9 @@ void tiles(const Options& options) {
   pictures.emplace_back("preview", sheet.floor(options.seed));
 
   Folder folder(options.output.empty() ? subject.name + "-tiles" : options.output);
-  std::deque<Output> files;
-  for (const auto& [name, picture] : pictures) files.emplace_back(folder.file(name + suffix_of(target.format)));
-  files.emplace_back(folder.file("tiles.txt"));
+  std::vector<std::unique_ptr<Output>> files;
+  for (const auto& [name, picture] : pictures) files.push_back(std::make_unique<Output>(folder.file(name + suffix_of(target.format))));
+  files.push_back(std::make_unique<Output>(folder.file("tiles.txt")));
   Progress progress;
   grown.grow(options.budget, progress);
   sheet.paint(grown.texture(), options);
@@ -183,11 +182,10 @@ void tiles(const Options& options) {
     pictures[i].second.name = pictures[i].first;
     pictures[i].second.note = note;
     Lines lines(pictures[i].second, target.pixels, options.dither);
-    write_picture(lines, target.format, files[i]);
+    write_picture(lines, target.format, *files[i]);
   }
-  files.back().write(laying_text(note, side));
-  for (Output& file : files) file.close();
-  for (Output& file : files) file.finish();
+  files.back()->write(laying_text(note, side));
+  Output::finish_all(files);
   folder.keep();
 }
 
