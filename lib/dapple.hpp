@@ -8,8 +8,8 @@
 //   for (uint16_t y = 0; y < 64; ++y) { uint8_t line[128]; tile.paint(y, dapple::Pixels::rgb565_swapped, line); panel(line); }
 //
 // The domain is a torus, a window of the endless plane, dapple::window(x, y, width, height), or a patch whose sides are closed,
-// fixed, or joined to each other, dapple::on_patch(patches, 0), which a recipe with sides must have; atlas.hpp grows many
-// patches together. Recipes that run too long for a halo have no plane, but for the threshold family, which decides it in blocks.
+// fixed, or joined to each other, dapple::on_patch(patches, 0): recipes with sides have that; atlas.hpp grows many together.
+// Recipes that run too long for a halo have no plane, but for the threshold family, which decides it in blocks.
 //
 // No heap, no globals, no exceptions, no floating point. The caller owns every byte; any call can stop after any row;
 // two textures never share anything, so they may run on two threads.
@@ -61,8 +61,7 @@ namespace api {
 
 // A window is grown with one more cell on every side, so that light falls across its edges as if there were none.
 constexpr Domain with_edge(const Domain& d) {
-  if (!d.plane) return d;
-  return {static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, nullptr, d.patches, d.patch};
+  return !d.plane ? d : Domain{static_cast<uint16_t>(d.width + 2), static_cast<uint16_t>(d.height + 2), d.x - 1, d.y - 1, true, nullptr, d.patches, d.patch};
 }
 
 constexpr uint16_t side(int64_t micro) {
@@ -165,7 +164,6 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.patches != nullptr) {
-    if (domain.corners != nullptr) return bad_sides;
     need.width = need.height = least_side(recipe, need.multiple);
     need.halo = pad_of(recipe, need.multiple);
     return check_patch(recipe, domain, need.multiple);
@@ -218,8 +216,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   }
   if (ground.patches == nullptr) return parts;
   parts.bands = grid::align4(parts.bands);
-  parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) &&
-               parts.planes <= evolve::kMostGhostBytes;
+  parts.fits = parts.fits && base::add_bytes(parts.ghosts, evolve::ghost_cells(ground), sizeof(uint32_t)) && static_cast<uint64_t>(parts.planes) <= evolve::kMostGhostBytes;
   return parts;
 }
 
@@ -373,8 +370,7 @@ class Texture {
   friend class Atlas;
   Status start(const Recipe& checked, const Recipe* stored, bool rom, const Domain& domain, uint32_t seed, void* memory,
                size_t bytes, const Options& options, Need* need);
-  void begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options,
-                   const evolve::Ghosts& ghosts);
+  void begin_patch(const Recipe& recipe, const Domain& domain, uint32_t seed, uint8_t* memory, const Options& options, const evolve::Ghosts& ghosts);
   void lay_out(const evolve::Setup& setup, const Recipe* recipe, const Domain& domain);
   void look_again();
   bool look_at(uint16_t y, paint::Source& source);

@@ -7,9 +7,10 @@ namespace dapple::evolve {
 
 // How often a step writes a cell, all planes together: reaction and passes of the Gaussian, sub-steps of Euler, one for a
 // step of any other solver in every plane.
-constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, const int32_t* number, uint8_t level, const void* stored) {
+constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, const int32_t* number, uint8_t level,
+                                   const void* given) {
   const uint8_t planes = model.planes(number);
-  if (solver.next != gaussian_next) return static_cast<uint32_t>(solver.reach(model, number, level, stored).sweeps) * planes;
+  if (solver.next != gaussian_next) return static_cast<uint32_t>(solver.reach(model, number, level, given).sweeps) * planes;
   uint32_t updates = planes;
   for (uint8_t plane = 0; plane < planes; ++plane) {
     const stencil::Lattice lattice = stencil::lattice_of(grid::at_level(model.tensor(number, plane), level));

@@ -59,7 +59,8 @@ constexpr uint16_t least_side(const Recipe& recipe, uint16_t multiple) {
 constexpr Status check_patch(const Recipe& recipe, const Domain& d, uint16_t multiple) {
   const Patches& all = *d.patches;
   const bool listed = all.patch != nullptr && all.count >= 1 && all.count <= kMostPatches && d.patch < all.count;
-  if (!listed || !d.plane || d.x != all.patch[d.patch].x || d.y != all.patch[d.patch].y) return bad_sides;
+  if (!listed || !d.plane || d.corners != nullptr || d.x != all.patch[d.patch].x || d.y != all.patch[d.patch].y)
+    return bad_sides;
   if (d.width != all.width || d.height != all.height || recipe.stage[0].model->cell == grid::Cell::bit)
     return bad_sides;
   if (first_unpaired(all).found) return bad_sides;
