@@ -39,6 +39,8 @@ struct Need {
   uint32_t halo;           // cells grown around a window of the plane on every side; at most kWidestHalo
   uint64_t sweeps;         // over the grid, in all
   uint64_t rows;           // of work in all: what step counts
+  uint8_t stage;           // unstable: the stage that would diverge, and the range of the number it is about
+  Bound bound;
 };
 
 constexpr uint16_t kWidestHalo = 1024;
@@ -85,7 +87,9 @@ constexpr bool good_stages(const Recipe& recipe) {
     if (i == 0) continue;
     const Stage& before = recipe.stage[i - 1];
     if (before.model->planes(before.number) != planes || before.model->cell != s.model->cell) return false;
-    if (s.entry == Entry::carry && s.level != before.level) return false;
+    if (same_grid(s.entry) && (s.level != before.level || (s.entry != Entry::carry && !s.solver->freezes))) return false;
+    const bool held = s.solver->freezes && s.entry == Entry::carry;  // what is held must have been settled
+    if (held && (!before.solver->freezes || before.steps == 0)) return false;
     if (s.entry == Entry::refine && (s.refine == nullptr || s.level + 1 != before.level || s.model->cell == grid::Cell::bit)) return false;
   }
   const Stage& last = recipe.stage[recipe.stages - 1];
@@ -121,6 +125,10 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
     if (s.solver->accepts != nullptr && !s.solver->accepts(s.number, s.stored)) return bad_map;
+    if (s.model->bound == nullptr) continue;
+    need.stage = i;
+    need.bound = s.model->bound(s.number, s.level);
+    if (!within(s.number[need.bound.slot], need.bound.low, need.bound.high)) return unstable;
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.plane) {
@@ -143,7 +151,7 @@ constexpr evolve::Parts parts_of(const Recipe& recipe, const grid::Ground& groun
   evolve::Parts parts{0, 0, 0, sizeof(evolve::Band) * bands, true};
   for (uint8_t i = 0; i < recipe.stages; ++i) {
     const Stage& s = recipe.stage[i];
-    evolve::add_stage(parts, s, *s.model, *s.solver, ground, bands);
+    evolve::add_stage(parts, s, *s.model, *s.solver, ground, recipe.stage[recipe.stages - 1].level, bands);
     const evolve::Reach reach = s.solver->reach(*s.model, s.number, s.level);
     const uint16_t cells = static_cast<uint16_t>(reach.stride << s.level);
     need.reach = cells > need.reach ? cells : need.reach;

@@ -29,7 +29,7 @@ static void set_clock(Run& run) {
 }
 
 static Context context_of(const Run& run) {
-  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0};
+  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0, run.stage.entry};
 }
 
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.
@@ -41,11 +41,13 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.cursor.sweep = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
-  run.field_radius = 0;
+  run.field_radius = run.kept = 0;
+  run.clock.level = run.stage.level;
   if (run.solver.field != nullptr) {
     const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
     run.field_radius = reach.field_radius;
     run.field_space = reach.space;
+    run.kept = reach.kept;
   }
   set_clock(run);
   if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
@@ -55,7 +57,9 @@ DAPPLE_APART static void open_stage(Run& run) {
       run.phase = Phase::starting;
       run.at_row = 0;
       break;
-    case Entry::carry: run.phase = Phase::sweeping; break;
+    case Entry::carry:
+    case Entry::freeze:
+    case Entry::reset: run.phase = Phase::sweeping; break;
     case Entry::refine:
       run.phase = Phase::refining;
       run.at_row = run.field.height;
@@ -84,7 +88,7 @@ void begin(Run& run, const Setup& setup) {
   run.band = reinterpret_cast<Band*>(table + parts.table);
   run.rows = 0;
   run.index = 0;
-  run.clock = {0, 0};
+  run.clock = {};
   open_stage(run);
 }
 
@@ -115,9 +119,10 @@ DAPPLE_APART static void refine_one_row(Run& run) {
 static void set_margin(Run& run, bool first) {
   run.sweep.margin = 0;
   if (!run.domain.plane) return;
+  const bool whole = run.sweep.radius == 0;  // what a sweep without neighbours leaves out, the next would read
   const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
   if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
-  if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
+  if (leaves_margin(reach) && !whole) run.sweep.margin = at_level(run.spent, run.stage.level);
 }
 
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.

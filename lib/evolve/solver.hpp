@@ -6,6 +6,20 @@
 #include "../model/model.hpp"
 #include "../stencil/lattice.hpp"
 
+namespace dapple {
+
+// What happens when a stage begins.
+enum class Entry : uint8_t {
+  start,   // the recipe's start fills the planes (first stage only)
+  carry,   // the planes go on as they are, on the same grid
+  refine,  // from a grid coarser by 2: bilinear at cell centres
+  freeze,  // the same as carry, but the cells that are on are held from now on: read, never written
+  reset,   // the same as carry, no cell is held; as with freeze, some cells may go back to the uniform state
+};
+constexpr bool same_grid(Entry entry) { return entry != Entry::start && entry != Entry::refine; }
+
+}  // namespace dapple
+
 namespace dapple::evolve {
 
 // One sweep: a row kernel over every row of the grid. With radius r and stride S the kernel for row y reads, of each of
@@ -42,6 +56,7 @@ struct Context {
   uint32_t seed;
   const void* stored;  // Stage::stored
   bool first;          // the stage's first step
+  Entry entry;         // of the stage
 };
 
 // What a solver needs of the scratch memory.
@@ -68,10 +83,11 @@ struct Solver {
   // Fills the table when a stage begins, if the solver has one.
   void (*prepare)(const Context& context) = nullptr;
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
-  // out[0] the field of the stage's grid, which is then enlarged bilinearly.
+  // out[0] the field of the stage's grid, which is then enlarged bilinearly. With a radius of 0: in[plane], kept planes too.
   grid::RowKernel field = nullptr;
   // Whether Stage::stored is what these numbers need; null: nothing is wanted.
   bool (*accepts)(const int32_t* number, const void* stored) = nullptr;
+  bool freezes = false;  // can begin a stage by freeze and reset
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

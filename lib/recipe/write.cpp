@@ -125,13 +125,17 @@ static void put_stage(Writer& w, const Family& f, const Stage& stage) {
 
 static void put_start(Writer& w, const Start& s) {
   put_key(w, "start");
-  put_word(w, "noise|seeds", s.kind);
+  put_word(w, kStarts, s.kind);
   if (s.kind == Start::noise) return;
   put_pair(w, "pitch", s.pitch);
   put_pair(w, "aspect", s.aspect);
   put_pair(w, "jitter", s.jitter);
   put_pair(w, "radius", s.radius);
   put_pair(w, "amplitude", s.amplitude);
+  if (s.kind == Start::seeds) return;
+  put_pair(w, "length", s.length);
+  put_pair(w, "lean", s.lean);
+  put_pair(w, "fan", s.fan);
 }
 
 static void put_ramp(Writer& w, const Ramp& ramp) {
@@ -175,7 +179,8 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   recipe::put_start(w, recipe.start);
   recipe::put_paint(w, recipe.paint);
   for (uint8_t i = 1; i < recipe.stages; ++i) {
-    recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");
+    recipe::put(w, " then ");
+    recipe::put_word(w, recipe::kEntries, static_cast<int32_t>(recipe.stage[i].entry) - static_cast<int32_t>(Entry::carry));
     recipe::put_stage(w, *family, recipe.stage[i]);
   }
   if (size > 0) text[w.length < size ? w.length : size - 1] = 0;

@@ -8,14 +8,6 @@ namespace dapple::start {
 
 constexpr uint32_t kJitterX = 64, kJitterY = 65;  // hash streams
 
-static void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
-  switch (place.cell) {
-    case grid::Cell::bit: grid::put_bit(static_cast<uint8_t*>(row), x, value != 0); break;
-    case grid::Cell::int16: static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value); break;
-    case grid::Cell::int32: static_cast<int32_t*>(row)[x] = value; break;
-  }
-}
-
 // U * jitter / 2 in units of 1/256 of a cell when `spacing` is (Q8): |result| <= jitter * spacing.
 static int64_t shake(uint32_t h, int32_t jitter, int64_t spacing) {
   const int64_t unit = static_cast<int64_t>(h >> 16) - 32768;  // U * 32768
@@ -71,8 +63,7 @@ void seeds_row(const Place& place, const Start& start, const Levels& levels, uin
   for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
-  const int32_t value = levels.background + static_cast<int32_t>(base::divide_round(
-      static_cast<int64_t>(levels.disc - levels.background) * start.amplitude, base::kMicro));
+  const int32_t value = disc_level(start, levels);
   Span rows = {0, discs.rows - 1}, columns = {0, discs.columns - 1};
   if (place.plane) {
     const int64_t radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;

@@ -65,7 +65,7 @@ static std::string broken(const std::string& text, const Trouble& trouble, const
 }
 
 static std::string unknown(const Trouble& trouble, const std::string& word) {
-  const std::string allowed = trouble.allowed != nullptr ? trouble.allowed : "carry|refine";
+  const std::string allowed = trouble.allowed != nullptr ? trouble.allowed : dapple::recipe::kEntries;
   for (const Family& family : dapple::recipe::families)
     if (allowed == family.name)
       return shown(word) + " is not a key of " + family.name + "; there is " + listed(keys_of(family)) + ", " +
@@ -82,10 +82,20 @@ static std::string outside(const std::string& text, const Trouble& trouble, cons
 // Which words exclude each other follows from the word that was met.
 static std::string impossible(const std::string& word) {
   if (word == "carry") return "a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
+  if (word == "freeze" || word == "reset")
+    return "'then " + word + "' is for families of kinetics, and a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
   if (word == "refine")
     return "'then refine' needs a stage of level 1 to 3 before it, and there are at most " +
            std::to_string(dapple::kMaxStages) + " stages";
   return "fine=F needs levels=L, and the steps must be more than F (L - 1)";
+}
+
+// A number that makes steps diverge, or a grid too coarse for the pattern.
+static std::string unsteady(const std::string& name, int32_t value, int32_t low, int32_t high) {
+  const bool least = value < low;
+  return name + "=" + decimal_text(value) + (least ? " is too small for the stage's grid" : " makes the steps diverge") +
+         "; with the other numbers as they are " + name + "=" + decimal_text(least ? low : high) + " would do, and nothing " +
+         (least ? "below" : "above") + " it";
 }
 
 static std::string reason(const std::string& text, const Trouble& trouble) {
@@ -97,6 +107,8 @@ static std::string reason(const std::string& text, const Trouble& trouble) {
       return unknown(trouble, word);
     case dapple::out_of_range:
       return outside(text, trouble, word);
+    case dapple::unstable:
+      return unsteady(trouble.allowed, trouble.value, trouble.low, trouble.high);
     default:
       return impossible(word);
   }
@@ -227,6 +239,9 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       fail_for_place(domain);
     case dapple::bad_map:
       refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM or PPM files");
+    case dapple::unstable:
+      refuse(unsteady(dapple::recipe::name_at(family_of(subject.recipe), need.bound.slot),
+                      subject.recipe.stage[need.stage].number[need.bound.slot], need.bound.low, need.bound.high));
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:
@@ -249,7 +264,7 @@ std::vector<std::string> keys_of(const Family& family) {
 
 std::vector<std::string> common_keys() {
   return {"wavelength", "steps",  "level",     "levels", "fine",  "solver", "start", "pitch", "aspect",
-          "jitter",     "radius", "amplitude", "ramp",   "range", "light",  "gloss", "grain"};
+          "jitter",     "radius", "amplitude", "length", "lean", "fan", "ramp",   "range", "light",  "gloss", "grain"};
 }
 
 std::string decimal_text(int32_t micro) {
