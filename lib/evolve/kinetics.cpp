@@ -37,10 +37,12 @@ void prepare_kinetics(const Context& context) {
 }
 
 static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
-static uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + (rows.table[varies] > 0 ? 1 : 0)); }
+static uint8_t held_at(const grid::Rows& rows) {
+  return static_cast<uint8_t>(kept_at(rows) + (rows.table[varies] > 0 ? 1 : 0));
+}
 
-// in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch: the sums of every
-// morphogen, a row of zeros where no rate varies, then the reaction's own rows.
+// in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
+// the sums of every morphogen, a row of zeros where no rate varies, then the reaction's own rows.
 static void step_row(const grid::Rows& rows) {
   const size_t row_bytes = grid::row_bytes(grid::Cell::int32, rows.n);
   const uint8_t planes = kept_at(rows);
@@ -61,10 +63,12 @@ static void step_row(const grid::Rows& rows) {
 }
 
 // mask: all ones where the cell is held.
-template <class T> static void hold(const T* DAPPLE_RESTRICT old, const T* DAPPLE_RESTRICT mask, T* DAPPLE_RESTRICT cells, uint16_t n) {
+template <class T>
+static void hold(const T* DAPPLE_RESTRICT old, const T* DAPPLE_RESTRICT mask, T* DAPPLE_RESTRICT cells, uint16_t n) {
   for (uint16_t x = 0; x < n; ++x) cells[x] = static_cast<T>(cells[x] ^ ((cells[x] ^ old[x]) & mask[x]));
 }
-template <class T> static void hold_row(const grid::Rows& rows) {
+template <class T>
+static void hold_row(const grid::Rows& rows) {
   step_row(rows);
   const T* const mask = static_cast<const T*>(rows.out[held_at(rows)]);
   for (uint8_t plane = 0; plane < kept_at(rows); ++plane)
@@ -72,21 +76,25 @@ template <class T> static void hold_row(const grid::Rows& rows) {
 }
 
 // A uniform deviation for every cell, the same whatever the order.
-template <class T> static void vary_cells(const grid::Rows& rows, T* cells) {
+template <class T>
+static void vary_cells(const grid::Rows& rows, T* cells) {
   const int32_t* t = rows.table;
   const uint16_t width = static_cast<uint16_t>(t[ring_x]), height = static_cast<uint16_t>(t[ring_y]);
   const bool plane = t[on_plane] != 0;
-  const base::RowKey key = base::row_key(static_cast<uint32_t>(t[seed_of]), kVaryStream, start::world(t[origin_y] + rows.y, height, plane));
+  const base::RowKey key =
+      base::row_key(static_cast<uint32_t>(t[seed_of]), kVaryStream, start::world(t[origin_y] + rows.y, height, plane));
   int32_t at = start::world(t[origin_x] + rows.x, width, plane);
   for (uint16_t x = 0; x < rows.n; ++x) {
-    cells[x] = static_cast<T>(static_cast<int32_t>(base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]))) - t[varies]);
+    cells[x] = static_cast<T>(
+        static_cast<int32_t>(base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]))) - t[varies]);
     if (++at == width && !plane) at = 0;
   }
 }
 
 // The first sweep of a stage: what varies, what is held, what goes back to the uniform state. All planes in place.
 // p: {threshold, shown plane, Mode, uniform state of every morphogen}, in the cells' format.
-template <class T> static void enter_row(const grid::Rows& rows) {
+template <class T>
+static void enter_row(const grid::Rows& rows) {
   const uint8_t planes = kept_at(rows);
   const int32_t mode = rows.p[2];
   if (rows.table[varies] > 0) vary_cells(rows, static_cast<T*>(rows.out[planes]));
@@ -104,8 +112,11 @@ template <class T> static void enter_row(const grid::Rows& rows) {
 static int32_t mode_of(const Context& context, bool has_mask) {
   const bool begins = context.entry == Entry::freeze || context.entry == Entry::reset;
   const int32_t reset = begins ? context.number[kinetics::reset] : 0;
-  return (has_mask ? holds : 0) | (context.entry == Entry::freeze ? freezes : 0) | (context.entry == Entry::carry ? leaves : 0) |
-         (reset == kinetics::on ? resets_on : reset == kinetics::off ? resets_off : 0);
+  return (has_mask ? holds : 0) | (context.entry == Entry::freeze ? freezes : 0) |
+         (context.entry == Entry::carry ? leaves : 0) |
+         (reset == kinetics::on    ? resets_on
+          : reset == kinetics::off ? resets_off
+                                   : 0);
 }
 
 static void all_planes(const Context& context, bool has_mask, Sweep& sweep) {
@@ -121,7 +132,8 @@ static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
   sweep.p[0] = kinetics::fixed(context.number[kinetics::above], wide(model) ? kinetics::kWide : kinetics::kNarrow);
   sweep.p[1] = context.number[kinetics::show];
   sweep.p[2] = mode_of(context, has_mask);
-  for (uint8_t i = 0; i < model.planes(context.number); ++i) sweep.p[3 + i] = model.levels(context.number, i).background;
+  for (uint8_t i = 0; i < model.planes(context.number); ++i)
+    sweep.p[3 + i] = model.levels(context.number, i).background;
 }
 
 static void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep) {
@@ -152,10 +164,14 @@ bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   return at <= (context.first ? 1 : 0);
 }
 
-template <class T> static int16_t field_of(T cell) {
-  return static_cast<int16_t>(sizeof(T) == 4 ? (cell + (1 << (kinetics::kWide - kinetics::kShown - 1))) >> (kinetics::kWide - kinetics::kShown) : cell);
+template <class T>
+static int16_t field_of(T cell) {
+  return static_cast<int16_t>(sizeof(T) == 4 ? (cell + (1 << (kinetics::kWide - kinetics::kShown - 1))) >>
+                                                   (kinetics::kWide - kinetics::kShown)
+                                             : cell);
 }
-template <class T> static void field_row_of(const void* cells, uint16_t x, uint16_t n, int16_t* out) {
+template <class T>
+static void field_row_of(const void* cells, uint16_t x, uint16_t n, int16_t* out) {
   const T* const from = static_cast<const T*>(cells) + x;
   for (uint16_t i = 0; i < n; ++i) out[i] = field_of(from[i]);
 }

@@ -22,7 +22,8 @@ static void react(int32_t* DAPPLE_RESTRICT u, int32_t* DAPPLE_RESTRICT v, const 
     const uint32_t u12 = static_cast<uint32_t>(u[x]) >> 8, uv = (u12 * (static_cast<uint32_t>(v[x]) >> 8)) >> 12;
     const int32_t product = base::min(static_cast<int32_t>(((u12 >> 1) * uv) >> 9), kMost), u14 = u[x] >> 6;
     const int32_t gone = (u14 * r.gone) >> 12, made = (u14 * r.decay) >> 12, forced = (product * r.force) >> 10;
-    const int32_t to_u = base::min(r.feed + 4 * more[x] - gone + forced, kMostSum), to_v = base::max(made - product, -kMostSum);
+    const int32_t to_u = base::min(r.feed + 4 * more[x] - gone + forced, kMostSum),
+                  to_v = base::max(made - product, -kMostSum);
     u[x] = stepped(u[x], times(to_u, r.dt) + diffused(lap_u[x], r.du), 0, kLargestU);
     v[x] = stepped(v[x], times(to_v, r.dt) + diffused(lap_v[x], r.dv), 0, kLargestV);
   }
@@ -31,8 +32,8 @@ static void react(int32_t* DAPPLE_RESTRICT u, int32_t* DAPPLE_RESTRICT v, const 
 // in: sums of u and v, deviations of the feed (Q12); out: u, v in place.
 void react_row(const grid::Rows& rows) {
   const int32_t* p = rows.p;
-  react(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in32(rows, 2), rows.n,
-        {p[0], p[1], p[2], p[3], unpacked(p[4]), unpacked(p[5]), unpacked(p[6])});
+  react(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in32(rows, 2),
+        rows.n, {p[0], p[1], p[2], p[3], unpacked(p[4]), unpacked(p[5]), unpacked(p[6])});
 }
 
 }  // namespace dapple::brusselator

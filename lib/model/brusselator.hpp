@@ -1,8 +1,8 @@
 // The Brusselator under periodic force: spirals, and domains of four phases, that never come to rest.
 //   u' = c - (d + 1) u + (1 + G cos w t) u^2 v + D lap u,   v' = d u - u^2 v + delta D lap v
-// Prigogine & Lefever 1968; forced as in Lin, Hagberg, Meron & Swinney 2004, whose c + beta is c with `vary`. It oscillates where
-// d > 1 + c^2; w = 1.69 is four times its own frequency at c = .5, d = 1.5.
-// SPDX-License-Identifier: MIT
+// Prigogine & Lefever 1968; forced as in Lin, Hagberg, Meron & Swinney 2004, whose c + beta is c with `vary`. It
+// oscillates where d > 1 + c^2; w = 1.69 is four times its own frequency at c = .5, d = 1.5. SPDX-License-Identifier:
+// MIT
 #pragma once
 #include "kinetics.hpp"
 
@@ -32,10 +32,13 @@ inline constexpr Number numbers[] = {
     decimal("decay", 500000, 4000000, 1500000, "d"),
     decimal("force", 0, 500000, 150000, "G, the strength of the force; .1 to .2 locks at a quarter of its pace"),
     decimal("pace", 0, 8000000, 1690000, "w, the force's radians per unit of time"),
-    decimal("delta", 0, 8000000, 1000000, "diffusion of v beside that of u; 0 spirals, 1 domains, 5 domains fringed by spots"),
+    decimal("delta", 0, 8000000, 1000000,
+            "diffusion of v beside that of u; 0 spirals, 1 domains, 5 domains fringed by spots"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number) && number[show] < 2; }
+constexpr bool in_range(const int32_t* number) {
+  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
+}
 
 constexpr uint8_t planes(const int32_t*) { return 2; }
 
@@ -61,11 +64,13 @@ constexpr int32_t most_dt(const int32_t* number, uint8_t level) {
   const int64_t u = diffusion(number, 0, level), v = diffusion(number, 1, level);
   return largest_dt(u > v ? u : v, kReaction);
 }
-constexpr Bound bound(const int32_t* number, uint8_t level) { return bound_of(number, level, kLeastScale, most_dt(number, level)); }
+constexpr Bound bound(const int32_t* number, uint8_t level) {
+  return bound_of(number, level, kLeastScale, most_dt(number, level));
+}
 
 // The phase of the force, 2^32 to the turn: step * round(w dt / (2 pi) * 2^32), which wraps as a turn does.
 constexpr uint32_t phase_of(const int32_t* number, uint32_t step, int32_t dt_now) {
-  const int64_t turn = static_cast<int64_t>(number[pace]) * dt_now / base::kMicro;              // radians, 1/kMicro
+  const int64_t turn = static_cast<int64_t>(number[pace]) * dt_now / base::kMicro;  // radians, 1/kMicro
   return step * static_cast<uint32_t>(base::divide_round(turn * INT64_C(683565276), base::kMicro));  // 2^32 / (2 pi)
 }
 
@@ -76,7 +81,8 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
   p[0] = fixed(number[feed], 14);
   p[1] = fixed(number[decay] + base::kMicro, 12);
   p[2] = fixed(number[decay], 12);
-  p[3] = 1024 + static_cast<int32_t>(base::divide_round(static_cast<int64_t>(number[force]) * wave * 1024, INT64_C(32767) * base::kMicro));
+  p[3] = 1024 + static_cast<int32_t>(base::divide_round(static_cast<int64_t>(number[force]) * wave * 1024,
+                                                        INT64_C(32767) * base::kMicro));
   p[4] = packed(rate_of(q30_of(step), 14, kWide));
   for (uint8_t plane = 0; plane < 2; ++plane)
     p[5 + plane] = packed(rate_of(times_dt(q30_of(diffusion(number, plane, clock.level)), step), 14, kWide));
@@ -87,14 +93,21 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::brusselator
 
 namespace dapple {
-inline constexpr Model brusselator_model DAPPLE_ROM = {
-    grid::Cell::int32,       0,
-    kinetics::kWideUnit,     0,
-    brusselator::in_range,   brusselator::planes,
-    kinetics::tensor,        brusselator::levels,
-    brusselator::wavelength, brusselator::cell_level,
-    brusselator::values,     nullptr,
-    brusselator::react_row,  nullptr,
-    nullptr,                 false,
-    brusselator::bound};
+inline constexpr Model brusselator_model DAPPLE_ROM = {grid::Cell::int32,
+                                                       0,
+                                                       kinetics::kWideUnit,
+                                                       0,
+                                                       brusselator::in_range,
+                                                       brusselator::planes,
+                                                       kinetics::tensor,
+                                                       brusselator::levels,
+                                                       brusselator::wavelength,
+                                                       brusselator::cell_level,
+                                                       brusselator::values,
+                                                       nullptr,
+                                                       brusselator::react_row,
+                                                       nullptr,
+                                                       nullptr,
+                                                       false,
+                                                       brusselator::bound};
 }  // namespace dapple

@@ -15,8 +15,8 @@ struct Rates {
   Rate fast, slow, da, db;
 };
 
-static void react(i16* DAPPLE_RESTRICT a, i16* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a, const int32_t* DAPPLE_RESTRICT lap_b,
-                  const i16* DAPPLE_RESTRICT more, uint16_t n, Rates r) {
+static void react(i16* DAPPLE_RESTRICT a, i16* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a,
+                  const int32_t* DAPPLE_RESTRICT lap_b, const i16* DAPPLE_RESTRICT more, uint16_t n, Rates r) {
   for (uint16_t x = 0; x < n; ++x) {
     const int32_t u = a[x], v = b[x];
     const int32_t cube = (((u * u) >> 16) * u) >> 12;
@@ -30,8 +30,8 @@ static void react(i16* DAPPLE_RESTRICT a, i16* DAPPLE_RESTRICT b, const int32_t*
 // in: sums of a and b, deviations of the bias (Q12); out: a, b in place.
 void react_row(const grid::Rows& rows) {
   const int32_t* p = rows.p;
-  react(grid::out16(rows, 0), grid::out16(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in16(rows, 2), rows.n,
-        {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4]), unpacked(p[5])});
+  react(grid::out16(rows, 0), grid::out16(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in16(rows, 2),
+        rows.n, {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4]), unpacked(p[5])});
 }
 
 }  // namespace dapple::fitzhugh_nagumo

@@ -33,11 +33,14 @@ inline constexpr Number numbers[] = {
     decimal("reach", 200000, 8000000, 2000000, "Db at scale 1"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number) && number[show] < 2; }
+constexpr bool in_range(const int32_t* number) {
+  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
+}
 
 constexpr uint8_t planes(const int32_t*) { return 2; }
 
-// The middle state a - a^3 - (a - s0) / s1 = 0, by a = (a^3 - s0 / s1) / (1 - 1 / s1) from 0 on, within +-1/2; b = (a - s0) / s1.
+// The middle state a - a^3 - (a - s0) / s1 = 0, by a = (a^3 - s0 / s1) / (1 - 1 / s1) from 0 on, within +-1/2; b = (a -
+// s0) / s1.
 constexpr int64_t middle(const int32_t* number) {
   const int64_t one = base::kMicro, less = one - one * one / number[couple], push = one * number[bias] / number[couple];
   int64_t a = 0;
@@ -62,17 +65,24 @@ constexpr int32_t wavelength(const int32_t* number) {
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 178 / 10);
 }
 
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest)); }
+constexpr int16_t cell_level(const int32_t* number) {
+  return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest));
+}
 
 // D of a plane on a grid, 1/kMicro cells^2 a unit of time.
 constexpr int64_t diffusion(const int32_t* number, uint8_t plane, uint8_t level) {
   const int64_t length = number[scale] >> level;
   return length * length / base::kMicro * number[plane == 0 ? spread : reach] / base::kMicro;
 }
+// dt (8 Da + 3) < 2, for |a - a^3| is at most 3 steep where |a| is below 1.15; dt (8 Db + s s1) < 2.
 constexpr int32_t most_dt(const int32_t* number, uint8_t level) {
-  return largest_dt(base::max(static_cast<int32_t>(diffusion(number, 0, level)), static_cast<int32_t>(diffusion(number, 1, level))), 0);
+  const int64_t slowing = static_cast<int64_t>(number[slow]) * number[couple] / base::kMicro;
+  return base::min(largest_dt(diffusion(number, 0, level), 3 * base::kMicro),
+                   largest_dt(diffusion(number, 1, level), slowing));
 }
-constexpr Bound bound(const int32_t* number, uint8_t level) { return bound_of(number, level, kLeastScale, most_dt(number, level)); }
+constexpr Bound bound(const int32_t* number, uint8_t level) {
+  return bound_of(number, level, kLeastScale, most_dt(number, level));
+}
 
 // p: {s1 in Q12, s0 in Q14; dt, s dt and dt Da, dt Db as packed rates}
 constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
@@ -90,14 +100,21 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::fitzhugh_nagumo
 
 namespace dapple {
-inline constexpr Model fitzhugh_nagumo_model DAPPLE_ROM = {
-    grid::Cell::int16,           0,
-    kinetics::kNarrowUnit,       0,
-    fitzhugh_nagumo::in_range,   fitzhugh_nagumo::planes,
-    kinetics::tensor,            fitzhugh_nagumo::levels,
-    fitzhugh_nagumo::wavelength, fitzhugh_nagumo::cell_level,
-    fitzhugh_nagumo::values,     nullptr,
-    fitzhugh_nagumo::react_row,  nullptr,
-    nullptr,                     false,
-    fitzhugh_nagumo::bound};
+inline constexpr Model fitzhugh_nagumo_model DAPPLE_ROM = {grid::Cell::int16,
+                                                           0,
+                                                           kinetics::kNarrowUnit,
+                                                           0,
+                                                           fitzhugh_nagumo::in_range,
+                                                           fitzhugh_nagumo::planes,
+                                                           kinetics::tensor,
+                                                           fitzhugh_nagumo::levels,
+                                                           fitzhugh_nagumo::wavelength,
+                                                           fitzhugh_nagumo::cell_level,
+                                                           fitzhugh_nagumo::values,
+                                                           nullptr,
+                                                           fitzhugh_nagumo::react_row,
+                                                           nullptr,
+                                                           nullptr,
+                                                           false,
+                                                           fitzhugh_nagumo::bound};
 }  // namespace dapple

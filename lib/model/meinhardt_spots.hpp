@@ -9,7 +9,8 @@ namespace dapple::meinhardt_spots {
 
 using namespace kinetics;
 
-// Planes: a, b. Settled, a <= 5.8 and .22 <= b <= 1.16; both are held below `largest`, and b is divided by as at least 2^-10.
+// Planes: a, b. Settled, a <= 5.8 and .22 <= b <= 1.16; both are held below `largest`, and b is divided by as at least
+// 2^-10.
 constexpr int32_t kLargest = 8 * (INT32_C(1) << kWide) - 1;
 
 enum Own : uint8_t { decay = own, drain, base_rate, spread, reach, slots };
@@ -33,7 +34,9 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Db"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number) && number[show] < 2; }
+constexpr bool in_range(const int32_t* number) {
+  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
+}
 
 constexpr uint8_t planes(const int32_t*) { return 2; }
 
@@ -55,7 +58,9 @@ constexpr int32_t wavelength(const int32_t* number) {
 constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 constexpr int32_t most_dt(const int32_t* number, uint8_t) { return largest_dt(number[reach], 0); }
-constexpr Bound bound(const int32_t* number, uint8_t level) { return bound_of(number, level, kLeastScale, most_dt(number, level)); }
+constexpr Bound bound(const int32_t* number, uint8_t level) {
+  return bound_of(number, level, kLeastScale, most_dt(number, level));
+}
 
 // p: {p1, p2 in Q16, p3 in Q20; rates of the reaction, of Da and of Db, packed}
 constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
@@ -73,14 +78,21 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::meinhardt_spots
 
 namespace dapple {
-inline constexpr Model meinhardt_spots_model DAPPLE_ROM = {
-    grid::Cell::int32,           0,
-    kinetics::kWideUnit,         0,
-    meinhardt_spots::in_range,   meinhardt_spots::planes,
-    kinetics::tensor,            meinhardt_spots::levels,
-    meinhardt_spots::wavelength, meinhardt_spots::cell_level,
-    meinhardt_spots::values,     nullptr,
-    meinhardt_spots::react_row,  nullptr,
-    nullptr,                     false,
-    meinhardt_spots::bound};
+inline constexpr Model meinhardt_spots_model DAPPLE_ROM = {grid::Cell::int32,
+                                                           0,
+                                                           kinetics::kWideUnit,
+                                                           0,
+                                                           meinhardt_spots::in_range,
+                                                           meinhardt_spots::planes,
+                                                           kinetics::tensor,
+                                                           meinhardt_spots::levels,
+                                                           meinhardt_spots::wavelength,
+                                                           meinhardt_spots::cell_level,
+                                                           meinhardt_spots::values,
+                                                           nullptr,
+                                                           meinhardt_spots::react_row,
+                                                           nullptr,
+                                                           nullptr,
+                                                           false,
+                                                           meinhardt_spots::bound};
 }  // namespace dapple

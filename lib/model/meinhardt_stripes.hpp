@@ -1,6 +1,7 @@
 // Meinhardt's stripes: two activators that exclude each other through c and help each other through d and e.
-//   a' = s (.01 a^2 e beta / c - ka a) + Da lap a      c' = s (.01 beta (a^2 e + b^2 d) - kc c)      d' = s kd (a - d) + Dd lap d
-//   b' = s (.01 b^2 d beta / c - ka b) + Da lap b                                                    e' = s kd (b - e) + Dd lap e
+//   a' = s (.01 a^2 e beta / c - ka a) + Da lap a      c' = s (.01 beta (a^2 e + b^2 d) - kc c)      d' = s kd (a - d)
+//   + Dd lap d b' = s (.01 b^2 d beta / c - ka b) + Da lap b                                                    e' = s
+//   kd (b - e) + Dd lap e
 // Meinhardt 1982, chapter 12; Turk 1991. Nothing moves but from a difference: initiator cells draw the stripes.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -10,8 +11,8 @@ namespace dapple::meinhardt_stripes {
 
 using namespace kinetics;
 
-// Planes: a, b, c, d, e in Q14, held within 0..2. Settled, a, b <= 1.96, .08 <= c <= .45, .2 <= d, e <= 1.3; c is divided by as at
-// least 2^-5.
+// Planes: a, b, c, d, e in Q14, held within 0..2. Settled, a, b <= 1.96, .08 <= c <= .45, .2 <= d, e <= 1.3; c is
+// divided by as at least 2^-5.
 constexpr int32_t kLargest = 32767;
 
 enum Own : uint8_t { decay = own, drain, relax, spread, reach, slots };
@@ -35,7 +36,9 @@ inline constexpr Number numbers[] = {
     decimal("reach", 50000, 245000, 240000, "cells^2 per step: Dd"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number) && number[drain] < 4 * static_cast<int64_t>(number[decay]); }
+constexpr bool in_range(const int32_t* number) {
+  return kinetics::in_range(numbers, slots, number) && number[drain] < 4 * static_cast<int64_t>(number[decay]);
+}
 
 constexpr uint8_t planes(const int32_t*) { return 5; }
 
@@ -55,11 +58,15 @@ constexpr int32_t wavelength(const int32_t* number) {
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 12);
 }
 
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest)); }
+constexpr int16_t cell_level(const int32_t* number) {
+  return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest));
+}
 
 // dt 8 Dd < 2.
 constexpr int32_t most_dt(const int32_t* number, uint8_t) { return largest_dt(number[reach], 0); }
-constexpr Bound bound(const int32_t* number, uint8_t level) { return bound_of(number, level, kLeastScale, most_dt(number, level)); }
+constexpr Bound bound(const int32_t* number, uint8_t level) {
+  return bound_of(number, level, kLeastScale, most_dt(number, level));
+}
 
 // p: {ka, kc, kd in Q16; rates of the reaction, of Da and of Dd, packed}
 constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
@@ -77,14 +84,21 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::meinhardt_stripes
 
 namespace dapple {
-inline constexpr Model meinhardt_stripes_model DAPPLE_ROM = {
-    grid::Cell::int16,             0,
-    kinetics::kNarrowUnit,         2,
-    meinhardt_stripes::in_range,   meinhardt_stripes::planes,
-    kinetics::tensor,              meinhardt_stripes::levels,
-    meinhardt_stripes::wavelength, meinhardt_stripes::cell_level,
-    meinhardt_stripes::values,     nullptr,
-    meinhardt_stripes::react_row,  nullptr,
-    nullptr,                       false,
-    meinhardt_stripes::bound};
+inline constexpr Model meinhardt_stripes_model DAPPLE_ROM = {grid::Cell::int16,
+                                                             0,
+                                                             kinetics::kNarrowUnit,
+                                                             2,
+                                                             meinhardt_stripes::in_range,
+                                                             meinhardt_stripes::planes,
+                                                             kinetics::tensor,
+                                                             meinhardt_stripes::levels,
+                                                             meinhardt_stripes::wavelength,
+                                                             meinhardt_stripes::cell_level,
+                                                             meinhardt_stripes::values,
+                                                             nullptr,
+                                                             meinhardt_stripes::react_row,
+                                                             nullptr,
+                                                             nullptr,
+                                                             false,
+                                                             meinhardt_stripes::bound};
 }  // namespace dapple

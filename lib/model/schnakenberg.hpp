@@ -30,7 +30,9 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Dv"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number) && number[show] < 2; }
+constexpr bool in_range(const int32_t* number) {
+  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
+}
 
 constexpr uint8_t planes(const int32_t*) { return 2; }
 
@@ -38,7 +40,8 @@ constexpr uint8_t planes(const int32_t*) { return 2; }
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
   const int64_t u0 = static_cast<int64_t>(number[feed]) + number[supply];
   const int32_t u = fixed(u0, kWide);
-  const int32_t v = base::min(fixed(static_cast<int64_t>(number[supply]) * base::kMicro / u0 * base::kMicro / u0, kWide), kLargestV);
+  const int32_t v =
+      base::min(fixed(static_cast<int64_t>(number[supply]) * base::kMicro / u0 * base::kMicro / u0, kWide), kLargestV);
   return plane == 0 ? grid::Levels{u, base::min(2 * u, kLargestU), u - u / 10, u + u / 10} : grid::Levels{v, v, v, v};
 }
 
@@ -51,8 +54,12 @@ constexpr int32_t wavelength(const int32_t* number) {
 constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 // dt (8 Dv + s u^2) < 2, with u^2 up to about 3 where v's checkerboard grows.
-constexpr int32_t most_dt(const int32_t* number, uint8_t level) { return largest_dt(number[reach], 3 * micro_of(speed_q30(number, level))); }
-constexpr Bound bound(const int32_t* number, uint8_t level) { return bound_of(number, level, kLeastScale, most_dt(number, level)); }
+constexpr int32_t most_dt(const int32_t* number, uint8_t level) {
+  return largest_dt(number[reach], 3 * micro_of(speed_q30(number, level)));
+}
+constexpr Bound bound(const int32_t* number, uint8_t level) {
+  return bound_of(number, level, kLeastScale, most_dt(number, level));
+}
 
 // p: {a, b in Q14; rates of the reaction, of Du and of Dv, packed}
 constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
@@ -69,14 +76,21 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::schnakenberg
 
 namespace dapple {
-inline constexpr Model schnakenberg_model DAPPLE_ROM = {
-    grid::Cell::int32,        0,
-    kinetics::kWideUnit,      0,
-    schnakenberg::in_range,   schnakenberg::planes,
-    kinetics::tensor,         schnakenberg::levels,
-    schnakenberg::wavelength, schnakenberg::cell_level,
-    schnakenberg::values,     nullptr,
-    schnakenberg::react_row,  nullptr,
-    nullptr,                  false,
-    schnakenberg::bound};
+inline constexpr Model schnakenberg_model DAPPLE_ROM = {grid::Cell::int32,
+                                                        0,
+                                                        kinetics::kWideUnit,
+                                                        0,
+                                                        schnakenberg::in_range,
+                                                        schnakenberg::planes,
+                                                        kinetics::tensor,
+                                                        schnakenberg::levels,
+                                                        schnakenberg::wavelength,
+                                                        schnakenberg::cell_level,
+                                                        schnakenberg::values,
+                                                        nullptr,
+                                                        schnakenberg::react_row,
+                                                        nullptr,
+                                                        nullptr,
+                                                        false,
+                                                        schnakenberg::bound};
 }  // namespace dapple

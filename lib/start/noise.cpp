@@ -23,9 +23,9 @@ static void noise_bits(const Place& place, const base::RowKey& key, uint8_t* row
   }
 }
 
-// Uniform over 0..count, or a little less; int32 cells span more than 16 bits: count <= 2^24.
+// Uniform over 0..count - 1. Spans of more than 16 bits, which int32 cells can have, by a count cut to 256ths: count <= 2^24.
 template <class T> static int32_t share(uint32_t h, uint32_t count) {
-  return static_cast<int32_t>(sizeof(T) == 4 ? ((h >> 16) * (count >> 8)) >> 8 : base::below(h, count));
+  return static_cast<int32_t>(sizeof(T) == 4 && count > 65536 ? ((h >> 16) * (count >> 8)) >> 8 : base::below(h, count));
 }
 
 template <class T> static void noise_cells(const Place& place, const base::RowKey& key, const Levels& levels, T* row) {

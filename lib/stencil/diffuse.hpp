@@ -1,5 +1,5 @@
-// What diffusion sees of a cell's neighbours: five points, or eight neighbours with weights that are never negative, for kinetics.
-// SPDX-License-Identifier: MIT
+// What diffusion sees of a cell's neighbours: five points, or eight neighbours with weights that are never negative,
+// for kinetics. SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/math.hpp"
 #include "../grid/rows.hpp"
@@ -11,13 +11,14 @@ namespace dapple::stencil {
 void five_wide_row(const grid::Rows& rows);
 void five_narrow_row(const grid::Rows& rows);
 //   eight:  (x (l + r - 2c) + y (u + d - 2c) + fall (ul + dr - 2c) + rise (dl + ur - 2c)) / 2^10
-// table: {x, y, fall, rise} Q10, at least 0, their sum at most 2^11. int32: pairs are rounded to Q14 first, 40 * 2^14 * 2^11 < 2^31;
-// int16: pairs < 2^17, products and their sum < 2^28. Rounded to the format of the cells.
+// table: {x, y, fall, rise} Q10, at least 0, their sum at most 2^11. int32: pairs are rounded to Q14 first, 40 * 2^14 *
+// 2^11 < 2^31; int16: pairs < 2^17, products and their sum < 2^28. Rounded to the format of the cells.
 void eight_wide_row(const grid::Rows& rows);
 void eight_narrow_row(const grid::Rows& rows);
 
-// The weights of D = R diag(1, 1 / stretch^2) R^T, R a turn by the angle (x right, y down): Dxx - |Dxy|, Dyy - |Dxy|, and |Dxy| for the
-// diagonal it runs along. None is negative while stretch^2 <= (1 + sqrt 2)^2; what rounding leaves below 0 is held there.
+// The weights of D = R diag(1, 1 / stretch^2) R^T, R a turn by the angle (x right, y down): Dxx - |Dxy|, Dyy - |Dxy|,
+// and |Dxy| for the diagonal it runs along. None is negative while stretch^2 <= (1 + sqrt 2)^2; what rounding leaves
+// below 0 is held there.
 struct EightWeights {
   int32_t x, y, fall, rise;
 };

@@ -1,6 +1,5 @@
-// The explicit kinetics in integers against float64, written from the equations (docs/numbers.md, "Kinetics"): from the library's
-// start, wavelength within 2 %, spots within 3 % or two, fill within .01.
-// SPDX-License-Identifier: MIT
+// The explicit kinetics in integers against float64, written from the equations (docs/numbers.md, "Kinetics"): from the
+// library's start, wavelength within 2 %, spots within 3 % or two, fill within .01. SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -68,18 +67,30 @@ void schnakenberg(const Numbers& n, double, const double* c, double* rate) {
 void brusselator(const Numbers& n, double time, const double* c, double* rate) {
   namespace slot = dapple::brusselator;
   const double square = c[0] * c[0] * c[1];
-  rate[0] = n[slot::feed] - (n[slot::decay] + 1) * c[0] + (1 + n[slot::force] * std::cos(n[slot::pace] * time)) * square;
+  rate[0] =
+      n[slot::feed] - (n[slot::decay] + 1) * c[0] + (1 + n[slot::force] * std::cos(n[slot::pace] * time)) * square;
   rate[1] = n[slot::decay] * c[0] - square;
 }
 
 Kinetics kinetics_of(const dapple::Model* model, const Numbers& n) {
   const double square = n[kinetics::scale] * n[kinetics::scale];
-  if (model == &dapple::turing_model) return {{n[dapple::turing::spread], n[dapple::turing::spread] / n[dapple::turing::ratio]}, {20, 14}, false, turing};
-  if (model == &dapple::meinhardt_spots_model) return {{n[dapple::meinhardt_spots::spread], n[dapple::meinhardt_spots::reach]}, {8, 8}, false, spots};
+  if (model == &dapple::turing_model)
+    return {{n[dapple::turing::spread], n[dapple::turing::spread] / n[dapple::turing::ratio]}, {20, 14}, false, turing};
+  if (model == &dapple::meinhardt_spots_model)
+    return {{n[dapple::meinhardt_spots::spread], n[dapple::meinhardt_spots::reach]}, {8, 8}, false, spots};
   if (model == &dapple::meinhardt_stripes_model)
-    return {{n[dapple::meinhardt_stripes::spread], n[dapple::meinhardt_stripes::spread], 0, n[dapple::meinhardt_stripes::reach], n[dapple::meinhardt_stripes::reach]}, {2, 2, 2, 2, 2}, false, stripes};
-  if (model == &dapple::fitzhugh_nagumo_model) return {{n[dapple::fitzhugh_nagumo::spread] * square, n[dapple::fitzhugh_nagumo::reach] * square}, {2, 2}, true, fitzhugh};
-  if (model == &dapple::schnakenberg_model) return {{n[dapple::schnakenberg::spread], n[dapple::schnakenberg::reach]}, {6, 4}, false, schnakenberg};
+    return {{n[dapple::meinhardt_stripes::spread], n[dapple::meinhardt_stripes::spread], 0,
+             n[dapple::meinhardt_stripes::reach], n[dapple::meinhardt_stripes::reach]},
+            {2, 2, 2, 2, 2},
+            false,
+            stripes};
+  if (model == &dapple::fitzhugh_nagumo_model)
+    return {{n[dapple::fitzhugh_nagumo::spread] * square, n[dapple::fitzhugh_nagumo::reach] * square},
+            {2, 2},
+            true,
+            fitzhugh};
+  if (model == &dapple::schnakenberg_model)
+    return {{n[dapple::schnakenberg::spread], n[dapple::schnakenberg::reach]}, {6, 4}, false, schnakenberg};
   return {{square, square * n[dapple::brusselator::delta]}, {6, 8}, false, brusselator};
 }
 
@@ -101,7 +112,8 @@ std::vector<Plane> start_in(const dapple::Recipe& recipe, dapple::grid::Cell cel
 
 double laplacian(const Plane& c, size_t x, size_t y) {
   const size_t w = static_cast<size_t>(kGrid.width), h = static_cast<size_t>(kGrid.height), row = y * w;
-  return c[row + (x + 1) % w] + c[row + (x + w - 1) % w] + c[(y + 1) % h * w + x] + c[(y + h - 1) % h * w + x] - 4 * c[row + x];
+  return c[row + (x + 1) % w] + c[row + (x + w - 1) % w] + c[(y + 1) % h * w + x] + c[(y + h - 1) % h * w + x] -
+         4 * c[row + x];
 }
 
 void step(const Kinetics& k, const Numbers& n, double time, std::vector<Plane>& planes) {
@@ -113,7 +125,8 @@ void step(const Kinetics& k, const Numbers& n, double time, std::vector<Plane>& 
     k.react(n, time, cell, rate);
     for (size_t i = 0; i < old.size(); ++i) {
       const double lap = k.diffusion[i] > 0 ? laplacian(old[i], at % w, at / w) : 0;
-      planes[i][at] = std::clamp(cell[i] + n[kinetics::dt] * (rate[i] + k.diffusion[i] * lap), k.signs ? -k.most[i] : 0, k.most[i]);
+      planes[i][at] =
+          std::clamp(cell[i] + n[kinetics::dt] * (rate[i] + k.diffusion[i] * lap), k.signs ? -k.most[i] : 0, k.most[i]);
     }
   }
 }
@@ -134,7 +147,8 @@ int spots_in(const Plane& field) {
     while (!open.empty()) {
       const size_t x = open.back() % w, row = open.back() / w * w;
       open.pop_back();
-      for (const size_t next : {row + (x + 1) % w, row + (x + w - 1) % w, (row + w) % (w * h) + x, (row + w * h - w) % (w * h) + x})
+      for (const size_t next :
+           {row + (x + 1) % w, row + (x + w - 1) % w, (row + w) % (w * h) + x, (row + w * h - w) % (w * h) + x})
         if (!seen[next] && field[next] > level) {
           seen[next] = true;
           open.push_back(next);
@@ -183,8 +197,9 @@ TEST_CASE("reference: kinetics in float64") {
     const reference::Distance d = distance(have, want, kGrid, level, level);
     const int spots = spots_in(want), found = spots_in(have);
     const auto [low, high] = std::minmax_element(want.begin(), want.end());
-    std::printf("%-75s %.2f..%.2f wavelength %5.2f %+5.2f %%  fill %.3f %+.4f  spots %3d %+3d  agreement %.4f\n", c.text, *low, *high,
-                f.wavelength, 100 * d.wavelength, f.fill, d.fill, spots, found - spots, d.agreement);
+    std::printf("%-75s %.2f..%.2f wavelength %5.2f %+5.2f %%  fill %.3f %+.4f  spots %3d %+3d  agreement %.4f\n",
+                c.text, *low, *high, f.wavelength, 100 * d.wavelength, f.fill, d.fill, spots, found - spots,
+                d.agreement);
     INFO(c.text);
     CHECK(std::fabs(d.wavelength) <= 0.02);
     CHECK(std::fabs(d.fill) <= 0.01);
