@@ -1,8 +1,8 @@
 // The Brusselator under periodic force: spirals, and domains of four phases, that never come to rest.
 //   u' = c - (d + 1) u + (1 + G cos w t) u^2 v + D lap u,   v' = d u - u^2 v + delta D lap v
-// Prigogine & Lefever 1968; forced as in Lin, Hagberg, Meron & Swinney 2004, whose c + beta is c with `vary`. It
-// oscillates where d > 1 + c^2; w = 1.69 is four times its own frequency at c = .5, d = 1.5. SPDX-License-Identifier:
-// MIT
+// Prigogine & Lefever 1968; forced: Lin et al. 2004, whose c + beta is c with `vary`. It oscillates where d > 1 + c^2;
+// w = 1.69 is four times its own frequency at c = .5, d = 1.5.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "kinetics.hpp"
 
