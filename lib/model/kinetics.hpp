@@ -24,9 +24,8 @@ constexpr int32_t kTurn = 360000000;
 constexpr Number decimal(const char* name, int32_t low, int32_t high, int32_t standard, const char* unit) {
   return {Number::decimal, name, low, high, standard, nullptr, unit};
 }
-inline constexpr char kSpeedUnit[] =
-    "cells: 1 / sqrt(s), s the rate of the reaction per step; the wavelength follows it";
-inline constexpr char kLengthUnit[] = "length: diffusion goes with its square, the wavelength with it";
+constexpr const char* kSpeedUnit = "cells: 1 / sqrt(s), s the rate of the reaction per step; the wavelength follows it";
+constexpr const char* kLengthUnit = "length: diffusion goes with its square, the wavelength with it";
 constexpr Number scale_number(int32_t low, int32_t high, int32_t standard, const char* unit = kSpeedUnit) {
   return decimal("scale", low, high, standard, unit);
 }

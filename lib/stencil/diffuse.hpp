@@ -1,5 +1,6 @@
 // What diffusion sees of a cell's neighbours: five points, or eight neighbours with weights that are never negative,
-// for kinetics. SPDX-License-Identifier: MIT
+// for kinetics.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/math.hpp"
 #include "../grid/rows.hpp"

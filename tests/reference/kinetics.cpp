@@ -1,5 +1,6 @@
 // The explicit kinetics in integers against float64, written from the equations (docs/numbers.md, "Kinetics"): from the
-// library's start, wavelength within 2 %, spots within 3 % or two, fill within .01. SPDX-License-Identifier: MIT
+// library's start, wavelength within 2 %, spots within 3 % or two, fill within .01.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
