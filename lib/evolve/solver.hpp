@@ -56,7 +56,7 @@ struct Context {
   uint32_t seed;
   const void* stored;  // Stage::stored
   bool first;          // the stage's first step
-  Entry entry;         // of the stage
+  Entry entry = Entry::start;  // of the stage
 };
 
 // What a solver needs of the scratch memory.
