@@ -297,11 +297,11 @@ TEST_CASE("atlas: sides are words of a recipe") {
   CHECK(sides("") == "jjjj");
   CHECK(sides("sides=closed") == "cccc");
   CHECK(sides("sides=repeat,closed") == "jjcc");
-  CHECK(sides("sides=closed,fixed,repeat,repeat held=0.25,0.5") == "cfjj500000");
+  CHECK(sides("sides=closed,fixed,repeat,repeat fixed=0.25,0.5") == "cfjj500000");
   for (const char* wrong : {"sides=closed,repeat,closed,closed", "sides=closed,closed,closed", "sides=open",
-                            "sides=", "sides=closed,closed,closed,closed,closed", "held=0.5", "held=1.5,0"})
+                            "sides=", "sides=closed,closed,closed,closed,closed", "fixed=0.5", "fixed=1.5,0"})
     CHECK(tests::recipe_of((std::string("mapped ") + wrong).c_str()).stages == 0);
-  const dapple::Recipe recipe = tests::recipe_of("mapped sides=fixed,closed,repeat,repeat held=0.25,0.5 scale=1.5");
+  const dapple::Recipe recipe = tests::recipe_of("mapped sides=fixed,closed,repeat,repeat fixed=0.25,0.5 scale=1.5");
   char text[600];
   CHECK(write(recipe, text, sizeof text) < sizeof text);
   const Patch once = patch_of(recipe), again = patch_of(tests::recipe_of(text));

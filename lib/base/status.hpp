@@ -14,7 +14,7 @@ enum Status : int8_t {
   unknown_word = -1,    // no such model, key, word or ramp
   out_of_range = -2,    // a number outside its range
   broken_text = -3,     // not a number, a missing '=', something after the end
-  not_possible = -4,    // words that exclude each other
+  not_possible = -4,    // words that exclude each other; also unstable, see below
 
   // begin: Need says what it wanted
   bad_recipe = -10,     // stages that do not fit each other, or numbers outside their ranges
@@ -26,6 +26,7 @@ enum Status : int8_t {
   bad_bands = -16,      // 0, or more than 64
   too_far = -17,        // a window beyond 2^30 cells from the origin
   halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
+  unstable = -20,       // numbers with which a stage's steps would diverge, or too small for its grid: Need says which
   bad_map = -19,        // map=image or solver=styled without an image, or with one of a wrong size
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none

@@ -276,7 +276,7 @@ constexpr bool blocks_bytes(const BlockGrid& g, const Ground& window, uint16_t k
 
 constexpr void add_blocks(Parts& parts, const BlockPlan& plan, const Ground& window, uint8_t bands, uint16_t kept) {
   const auto add = [&](const Stage& stage, const Ground& ground) {
-    add_stage(parts, stage, *stage.model, *stage.solver, ground, bands);
+    add_stage(parts, stage, *stage.model, *stage.solver, ground, stage.level, bands);
   };
   for (uint8_t i = 0; i < plan.stages; ++i) add(plan.chunk[i], ground_of(grown(plan.grid, 0, 0, 0)));
   for (uint8_t layer = 1; layer < kLayers; ++layer)

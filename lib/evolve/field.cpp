@@ -72,10 +72,11 @@ DAPPLE_APART static void plain_row(const Run& run, uint16_t y, int16_t* out, uin
   rows.x = first;
   rows.n = static_cast<uint16_t>(last - first + 1);
   const size_t bytes = grid::row_bytes(run.field.cell, at_level(run.ground.width, level));
-  for (uint8_t i = 0; i < rows.planes; ++i)
+  for (uint8_t i = 0; i < rows.planes + run.kept; ++i)
     rows.in[i] = run.field.planes + i * run.field.plane_bytes + at_level(world, level) * bytes;
   rows.out[0] = out;
-  grid::choose(run.kernels, run.model.field)(rows);
+  rows.run = run.step > 0 || run.stage.entry == Entry::carry;  // kept planes are filled by a stage's first step
+  grid::choose(run.kernels, run.solver.field != nullptr ? run.solver.field : run.model.field)(rows);
   if (level == 0) return;
   for (uint16_t x = run.domain.width; x > 0; --x)
     out[x - 1] = out[at_level(static_cast<uint16_t>(shift + x - 1), level) - first];

@@ -29,7 +29,7 @@ static void set_clock(Run& run) {
 }
 
 static Context context_of(const Run& run) {
-  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0};
+  return {&run.model, run.stage.number, run.kernels, run.table, run.clock, run.stage.level, &run.ground, run.domain.plane, run.seed, run.stage.stored, run.step == 0, run.stage.entry};
 }
 
 // Makes the stage's model, solver and grid current. A refined stage keeps the coarse grid until it is refined.
@@ -42,11 +42,13 @@ DAPPLE_APART static void open_stage(Run& run) {
   run.cursor.part = 0;
   run.sweep.row = nullptr;
   run.at_plane = 0;
-  run.field_radius = 0;
+  run.field_radius = run.kept = 0;
+  run.clock.level = run.stage.level;
   if (run.solver.field != nullptr) {
     const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
     run.field_radius = reach.field_radius;
     run.field_space = reach.space;
+    run.kept = reach.kept;
   }
   set_clock(run);
   if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
@@ -57,7 +59,9 @@ DAPPLE_APART static void open_stage(Run& run) {
       run.phase = Phase::starting;
       run.at_row = 0;
       break;
-    case Entry::carry: run.phase = Phase::sweeping; break;
+    case Entry::carry:
+    case Entry::freeze:
+    case Entry::reset: run.phase = Phase::sweeping; break;
     case Entry::refine:
       run.phase = Phase::refining;
       run.at_row = run.field.height;
@@ -91,7 +95,7 @@ void begin(Run& run, const Setup& setup) {
   run.parts = 0;
   run.rows = 0;
   run.index = 0;
-  run.clock = {0, 0};
+  run.clock = {};
   open_stage(run);
 }
 
@@ -132,12 +136,13 @@ DAPPLE_APART static void refine_one_row(Run& run) {
 
 // On the plane, what the sweeps of a step need not compute: the part of the halo that is used up once the step is done.
 static void set_margin(Run& run, bool first) {
-  if (!first) return;
+  if (!first && run.step > 0) return;  // only first steps have sweeps of their own before the others
   run.sweep.margin = 0;
   if (!run.domain.plane || run.ground.patches != nullptr) return;
   const Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
-  run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
-  if (leaves_margin(reach)) run.sweep.margin = at_level(run.spent, run.stage.level);
+  if (first) run.spent = static_cast<uint16_t>(run.spent + (reach.spread << run.stage.level));
+  const bool whole = run.sweep.radius == 0;  // what a sweep without neighbours leaves out, the next would read
+  if (leaves_margin(reach) && !whole) run.sweep.margin = at_level(run.spent, run.stage.level);
 }
 
 static void seal_one_row(Run& run) {

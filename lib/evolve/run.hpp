@@ -6,13 +6,6 @@
 
 namespace dapple {
 
-// What happens when a stage begins.
-enum class Entry : uint8_t {
-  start,   // the recipe's start fills the planes (first stage only)
-  carry,   // the planes go on as they are, on the same grid
-  refine,  // from a grid coarser by 2: bilinear at cell centres
-};
-
 constexpr uint8_t kMaxStages = 4;
 constexpr uint8_t kMaxLevel = 3;
 constexpr uint8_t kMaxCoarse = 2;  // that a picture may stay at
@@ -82,6 +75,7 @@ struct Run {
   uint8_t at_band, at_plane;
   uint8_t field_radius;  // of the solver's field kernel; 0: the model's own
   uint16_t field_space;  // bytes of its work space
+  uint8_t kept;          // planes it reads behind the model's own
   uint16_t at_row;
   uint16_t parts;   // starts, refinements, sweeps and seals that have ended, modulo 2^16
   Ghosts ghosts;
@@ -98,21 +92,22 @@ struct Parts {
 
 constexpr uint16_t at_level(uint16_t size, uint8_t level) { return static_cast<uint16_t>(size >> level); }
 
-// Adds what a stage needs to the parts: `rows16` more work rows than its solver asks for.
-constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t bands,
-                         uint8_t rows16 = 0) {
+// Adds what a stage needs to the parts: `rows16` more work rows than its solver asks for. Planes are as far apart as the
+// finest grid, that of the last stage, asks for.
+constexpr void add_stage(Parts& parts, const Stage& stage, const Model& model, const Solver& solver, const Ground& d, uint8_t finest,
+                         uint8_t bands, uint8_t rows16 = 0) {
   const uint16_t width = at_level(d.width, stage.level);
   Reach reach = solver.reach(model, stage.number, stage.level, stage.stored);
   reach.rows16 = static_cast<uint8_t>(reach.rows16 + rows16);
   size_t band = 0, planes = 0, scratch = 0;
   parts.fits = parts.fits && band_bytes(reach, model.cell, width, bands, band);
-  const uint16_t height = at_level(d.height, stage.level);
+  const uint16_t height = at_level(d.height, finest);
   if (stage.entry == Entry::refine) {
     const size_t ring = 4 * model.planes(stage.number) * grid::scratch_bytes(model.cell, static_cast<uint16_t>(width / 2), 1);
     band = ring > band ? ring : band;
   }
   parts.fits = parts.fits && base::add_bytes(scratch, bands, band) &&
-               base::add_bytes(planes, height, grid::row_bytes(model.cell, width));
+               base::add_bytes(planes, height, grid::row_bytes(model.cell, at_level(d.width, finest)));
   size_t all = 0;
   parts.fits = parts.fits && base::add_bytes(all, static_cast<size_t>(model.planes(stage.number)) + reach.kept, planes);
   parts.planes = all > parts.planes ? all : parts.planes;

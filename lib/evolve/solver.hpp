@@ -7,6 +7,20 @@
 #include "../model/model.hpp"
 #include "../stencil/lattice.hpp"
 
+namespace dapple {
+
+// What happens when a stage begins.
+enum class Entry : uint8_t {
+  start,   // the recipe's start fills the planes (first stage only)
+  carry,   // the planes go on as they are, on the same grid
+  refine,  // from a grid coarser by 2: bilinear at cell centres
+  freeze,  // the same as carry, but the cells that are on are held from now on: read, never written
+  reset,   // the same as carry, no cell is held; as with freeze, some cells may go back to the uniform state
+};
+constexpr bool same_grid(Entry entry) { return entry != Entry::start && entry != Entry::refine; }
+
+}  // namespace dapple
+
 namespace dapple::evolve {
 
 // One sweep: a row kernel over every row of the grid. With radius r and stride S the kernel for row y reads, of each of
@@ -45,6 +59,7 @@ struct Context {
   uint32_t seed;
   const void* stored;  // Stage::stored
   bool first;          // the stage's first step
+  Entry entry = Entry::start;  // of the stage
 };
 
 // What a solver needs of the scratch memory.
@@ -79,13 +94,14 @@ struct Solver {
   // Fills the table when a stage begins, if the solver has one.
   void (*prepare)(const Context& context) = nullptr;
   // Where the field needs neighbours, instead of the model's own kernel: in[k] rows y - field_radius + k with halo;
-  // out[0] the field of the stage's grid, which is then enlarged bilinearly.
+  // out[0] the field of the stage's grid, which is then enlarged bilinearly. With a radius of 0: in[plane], kept planes too.
   grid::RowKernel field = nullptr;
   // ok where Stage::stored is what these numbers need on that domain; null: nothing is wanted.
   Status (*accepts)(const int32_t* number, const void* stored, const Domain& domain) = nullptr;
   Sharing sharing = Sharing::none;
   uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
   bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
+  bool freezes = false;  // can begin a stage by freeze and reset
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

@@ -56,6 +56,8 @@ struct Rows {
 
 inline const int16_t* in16(const Rows& r, uint8_t i) { return static_cast<const int16_t*>(r.in[i]); }
 inline int16_t* out16(const Rows& r, uint8_t i) { return static_cast<int16_t*>(r.out[i]); }
+inline const int32_t* in32(const Rows& r, uint8_t i) { return static_cast<const int32_t*>(r.in[i]); }
+inline int32_t* out32(const Rows& r, uint8_t i) { return static_cast<int32_t*>(r.out[i]); }
 
 // A kernel and a faster one with the same bytes. A list of these ends with {nullptr, nullptr}.
 struct KernelSwap {

@@ -50,5 +50,5 @@ inline constexpr Model mapped_model DAPPLE_ROM = {grid::Cell::int16,     0,
                                                   threshold::values,     threshold::impulse_row,
                                                   threshold::react_row,  nullptr,
                                                   threshold::field_row,  false,
-                                                  threshold::decided_row};
+                                                  nullptr,               threshold::decided_row};
 }  // namespace dapple

@@ -9,9 +9,17 @@ namespace dapple {
 constexpr uint8_t kMaxNumbers = 20;  // slots of one stage
 constexpr uint8_t kMaxValues = 8;    // numbers a kernel is called with
 
-// When a step happens: `step` of `steps`, the whole run of the stages that continue each other.
+// When a step happens: `step` of `steps`, the whole run of the stages that continue each other; and on which grid, coarser by
+// 2^level than the finest.
 struct Clock {
   uint32_t step, steps;
+  uint8_t level = 0;
+};
+
+// The range of one number, 1/kMicro, that the others leave it: beyond it steps diverge, or the grid is too coarse for the pattern.
+struct Bound {
+  uint8_t slot;
+  int32_t low, high;
 };
 
 // A model. `number` is always the stage's slots, see Number. Unused kernels are null.
@@ -32,6 +40,7 @@ struct Model {
   grid::RowKernel window;         // a whole step: in[plane * (2 radius + 1) + k] rows y - radius + k; out[plane]
   grid::RowKernel field;          // in[plane] rows; out[0] the int16 field of n cells from x on
   bool coarse = false;            // lengths are in cells of the stage's own grid, which may stay coarser than the picture
+  Bound (*bound)(const int32_t* number, uint8_t level) = nullptr;  // of what can diverge
   grid::RowKernel decided = nullptr;  // `impulse` where in[0] says what `field` would: the reaction is decided elsewhere
 };
 

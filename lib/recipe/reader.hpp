@@ -11,9 +11,10 @@ struct Trouble {
   Status status;
   uint16_t column;         // 1-based
   recipe::Word word;
-  int32_t low, high;       // of out_of_range, in 1/kMicro, or plain for whole numbers
+  int32_t low, high;       // of out_of_range and unstable, in 1/kMicro, or plain for whole numbers
   bool whole;
-  const char* allowed;     // of unknown_word: words separated by '|', or null
+  const char* allowed;     // of unknown_word: words separated by '|', or null; of unstable: the number's name
+  int32_t value;           // of unstable: what it is, and low and high what it may be
 };
 
 }  // namespace dapple
@@ -36,7 +37,7 @@ struct Reader {
 };
 
 constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {
-  r.trouble = {status, static_cast<uint16_t>(word.text - r.origin + 1), word, low, high, whole, allowed};
+  r.trouble = {status, static_cast<uint16_t>(word.text - r.origin + 1), word, low, high, whole, allowed, 0};
   return false;
 }
 

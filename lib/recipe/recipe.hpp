@@ -4,12 +4,19 @@
 #include "../evolve/blocks.hpp"
 #include "../evolve/convolution.hpp"
 #include "../evolve/flux.hpp"
+#include "../evolve/kinetics.hpp"
 #include "../evolve/refine.hpp"
 #include "../evolve/run.hpp"
 #include "../evolve/steering.hpp"
+#include "../model/brusselator.hpp"
 #include "../model/cells.hpp"
+#include "../model/fitzhugh_nagumo.hpp"
 #include "../model/gray_scott.hpp"
+#include "../model/meinhardt_spots.hpp"
+#include "../model/meinhardt_stripes.hpp"
+#include "../model/schnakenberg.hpp"
 #include "../model/threshold.hpp"
+#include "../model/turing.hpp"
 #include "../paint/paint.hpp"
 
 namespace dapple {
@@ -73,7 +80,16 @@ struct Family {
   bits::Living (*lengths)(const int32_t* number) = any_number;  // the range of scale, where it depends on other numbers
   int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
   const evolve::BlockWork* blocks = nullptr;
+  const evolve::Solver* freezing = nullptr;                 // what runs a stage that begins with `then freeze` or `then reset`
 };
+
+// A family of explicit kinetics.
+constexpr Family kinetics_family(const char* name, const Model* model, const Number* numbers, uint8_t count, uint32_t steps, Start start,
+                                 int32_t low, int32_t high) {
+  return {name, model, numbers, count, "plain|cascade", {&evolve::kinetics_solver, &evolve::cascade_solver}, steps, start, low, high, 0,
+          any_number, any_number, nullptr, nullptr, &evolve::cascade_solver};
+}
+constexpr Start kNoise = {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row};
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
 
@@ -87,6 +103,12 @@ inline constexpr Family families[] = {
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},
+    kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000),
+    kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000),
+    kinetics_family("meinhardt-stripes", &meinhardt_stripes_model, meinhardt_stripes::numbers, count_of(meinhardt_stripes::numbers), 2000, kNoise, 0, 1900000),
+    kinetics_family("fitzhugh-nagumo", &fitzhugh_nagumo_model, fitzhugh_nagumo::numbers, count_of(fitzhugh_nagumo::numbers), 2000, kNoise, -1000000, 1000000),
+    kinetics_family("schnakenberg", &schnakenberg_model, schnakenberg::numbers, count_of(schnakenberg::numbers), 8000, kNoise, 200000, 2500000),
+    kinetics_family("brusselator", &brusselator_model, brusselator::numbers, count_of(brusselator::numbers), 4000, kNoise, 0, 2000000),
     {"bits", &bits_model, bits::numbers, count_of(bits::numbers), "sliced|lean",
      {&evolve::sliced, &evolve::lean}, 10,
      {Start::noise, 26000000, 875000, 300000, 5200000, 1000000, start::noise_row}, -950000, 950000, 1, bits::living, bits::lengths, evolve::grown_wavelength},

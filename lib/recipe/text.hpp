@@ -1,14 +1,16 @@
 // Recipe text: one line, a model and its numbers; constexpr, because presets are such lines.
 //
-//   recipe = model { key=value } { "then" ("carry" | "refine") { key=value } }
+//   recipe = model { key=value } { "then" ("carry" | "refine" | "freeze" | "reset") { key=value } }
 //
 // Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
-// (cells, sets scale); start=noise|seeds with pitch, aspect, jitter, radius, amplitude; sides=repeat|closed|fixed, of all,
-// across and down, or left, right, top and bottom, and held=A,B; ramp, range=LOW,HIGH, light, gloss, grain, opacity=LOW,HIGH,
-// roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six digits after the point.
+// (cells, sets scale); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
+// sides=repeat|closed|fixed, of all, across and down, or left, right, top and bottom, and fixed=A,B; ramp, range=LOW,HIGH, light,
+// gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six
+// digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "levels.hpp"
+#include "start_text.hpp"
 
 namespace dapple::recipe {
 
@@ -19,6 +21,22 @@ constexpr int8_t slot_named(const Family& f, const char* name) {
     if (equal(word_of(name), f.numbers[i].name)) return static_cast<int8_t>(slot);
     slot = static_cast<uint8_t>(slot + slots_of(f.numbers[i].kind));
   }
+  return -1;
+}
+
+constexpr const char* name_at(const Family& f, uint8_t wanted) {
+  uint8_t slot = 0;
+  for (uint8_t i = 0; i < f.number_count; ++i) {
+    if (slot == wanted) return f.numbers[i].name;
+    slot = static_cast<uint8_t>(slot + slots_of(f.numbers[i].kind));
+  }
+  return nullptr;
+}
+
+// Slot of the family's angles of pairs, or -1.
+constexpr int8_t angles_of(const Family& f) {
+  for (uint8_t i = 0; i < f.number_count; ++i)
+    if (f.numbers[i].kind == Number::angles) return slot_named(f, f.numbers[i].name);
   return -1;
 }
 
@@ -76,25 +94,6 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
   return true;
 }
 
-constexpr bool start_key(Reader& r, Word key, Word value, bool& found) {
-  Start& s = r.recipe->start;
-  int32_t index = 0;
-  found = true;
-  if (equal(key, "start")) {
-    if (!word_in(r, value, "noise|seeds", index)) return false;
-    s.kind = static_cast<Start::Kind>(index);
-    s.row = row_start(s.kind);
-    return true;
-  }
-  if (equal(key, "pitch")) return (r.pitch_given = true) && decimal_in(r, value, kPitch[0], kPitch[1], s.pitch);
-  if (equal(key, "radius")) return (r.radius_given = true) && decimal_in(r, value, kRadius[0], kRadius[1], s.radius);
-  if (equal(key, "aspect")) return decimal_in(r, value, kAspect[0], kAspect[1], s.aspect);
-  if (equal(key, "jitter")) return decimal_in(r, value, 0, base::kMicro, s.jitter);
-  if (equal(key, "amplitude")) return decimal_in(r, value, 10000, base::kMicro, s.amplitude);
-  found = false;
-  return true;
-}
-
 // "LOW,HIGH", both 0..1, in 1/255.
 constexpr bool shares_in(Reader& r, Word text, uint8_t* shares) {
   int32_t low = 0, high = 0;
@@ -105,38 +104,7 @@ constexpr bool shares_in(Reader& r, Word text, uint8_t* shares) {
   return true;
 }
 
-// One word for all sides, two across and down, four one by one. Sides repeat in pairs.
-constexpr bool sides_in(Reader& r, Word text) {
-  Sides& sides = r.recipe->sides;
-  int32_t index = 0;
-  uint8_t count = 0;
-  for (Word rest = text; rest.length > 0 || count == 0; ++count) {
-    if (count == kSides) return fail(r, broken_text, text);
-    if (!word_in(r, take(rest, ','), "repeat|closed|fixed", index)) return false;
-    sides.kind[count] = static_cast<Sides::Kind>(index);
-  }
-  if (count == 3) return fail(r, broken_text, text);
-  if (count == 1) sides.kind[1] = sides.kind[0];
-  if (count < kSides) {
-    sides.kind[2] = sides.kind[3] = sides.kind[1];
-    sides.kind[1] = sides.kind[0];
-  }
-  for (uint8_t i = 0; i < kSides; ++i)
-    if ((sides.kind[i] == Sides::repeat) != (sides.kind[i ^ 1] == Sides::repeat)) return fail(r, not_possible, text);
-  return true;
-}
-
-constexpr bool side_key(Reader& r, Word key, Word value, bool& found) {
-  found = true;
-  if (equal(key, "sides")) return sides_in(r, value);
-  if (equal(key, "held")) {
-    Word rest = value;
-    int32_t* const held = r.recipe->sides.held;
-    return decimal_in(r, take(rest, ','), 0, base::kMicro, held[0]) && decimal_in(r, rest, 0, base::kMicro, held[1]);
-  }
-  found = false;
-  return true;
-}
+constexpr int32_t kLargestShown = 20 * base::kMicro;
 
 constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   Paint& p = r.recipe->paint;
@@ -144,8 +112,8 @@ constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "ramp")) return read_ramp(value, p.ramp) || fail(r, unknown_word, value, 0, 0, false, "a ramp's name|stops like 000000,ff8000,ffffff or 0:000000,255:ffffff");
   if (equal(key, "range")) {
     Word rest = value;
-    return decimal_in(r, take(rest, ','), -2 * base::kMicro, 2 * base::kMicro, p.low) &&
-           decimal_in(r, rest, p.low + 1, 2 * base::kMicro, p.high);
+    return decimal_in(r, take(rest, ','), -kLargestShown, kLargestShown, p.low) &&
+           decimal_in(r, rest, p.low + 1, kLargestShown, p.high);
   }
   if (equal(key, "light")) return decimal_in(r, value, 0, 100 * base::kMicro, p.light);
   if (equal(key, "gloss")) return decimal_in(r, value, 0, base::kMicro, p.gloss);
@@ -169,17 +137,23 @@ constexpr bool key_value(Reader& r, Word word) {
   return fail(r, unknown_word, key, 0, 0, false, r.family->name);
 }
 
+constexpr const char* kEntries = "carry|refine|freeze|reset";  // Entry, from carry on
+
 constexpr bool then_stage(Reader& r, Word word) {
   int32_t entry = 0;
-  if (!word_in(r, word, "carry|refine", entry)) return false;
+  if (!word_in(r, word, kEntries, entry)) return false;
   if (r.recipe->stages == kMaxStages) return fail(r, not_possible, word);
   const Stage& before = r.recipe->stage[r.recipe->stages - 1];
   r.stage = r.recipe->stages++;
   Stage& stage = r.recipe->stage[r.stage];
   stage = before;
-  stage.entry = entry == 0 ? Entry::carry : Entry::refine;
-  stage.refine = entry == 0 ? nullptr : evolve::refine_row;
-  if (entry == 0) return true;
+  stage.entry = static_cast<Entry>(entry + static_cast<int32_t>(Entry::carry));
+  stage.refine = stage.entry == Entry::refine ? evolve::refine_row : nullptr;
+  if (stage.entry == Entry::freeze || stage.entry == Entry::reset) {
+    stage.solver = r.family->freezing;
+    return stage.solver != nullptr || fail(r, not_possible, word);
+  }
+  if (stage.entry == Entry::carry) return true;
   if (before.level == 0) return fail(r, not_possible, word);
   --stage.level;
   return true;
@@ -239,16 +213,29 @@ constexpr bool living(Reader& r, Word all, const int32_t* number) {
          fail(r, out_of_range, r.schedule.length > 0 ? r.schedule : all, range.low, range.high);
 }
 
+// What a model cannot stand: steps that diverge, a grid too coarse. The number it is about is named.
+constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
+  if (stage.model->bound == nullptr) return true;
+  const Bound bound = stage.model->bound(stage.number, stage.level);
+  if (within(stage.number[bound.slot], bound.low, bound.high)) return true;
+  fail(r, unstable, all, bound.low, bound.high, false, name_at(*r.family, bound.slot));
+  r.trouble.value = stage.number[bound.slot];
+  return false;
+}
+
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
 constexpr bool settle(Reader& r, Word all) {
-  const int8_t scale = slot_named(*r.family, "scale"), angle = slot_named(*r.family, "angle");
+  const int8_t scale = slot_named(*r.family, "scale"), angle = angles_of(*r.family);
+  const int32_t scale_before = scale >= 0 ? r.recipe->stage[0].number[scale] : 0;
   for (uint8_t i = 0; i < r.recipe->stages; ++i) {
     int32_t* number = r.recipe->stage[i].number;
     for (uint8_t k = 0; k < r.family->number_count && r.wavelength != 0 && scale >= 0; ++k) {
       const Number& range = r.family->numbers[k];
-      if (equal(word_of(range.name), "scale") && !tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
+      if (!equal(word_of(range.name), "scale")) continue;
+      if (i > 0 && r.family->freezing != nullptr) number[scale] = times(number[scale], r.recipe->stage[0].number[scale], scale_before);
+      else if (!tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
-    if (!living(r, all, number)) return false;
+    if (!living(r, all, number) || !bounded(r, all, r.recipe->stage[i])) return false;
     if (angle < 0) continue;
     const int32_t pairs = number[0];
     const int32_t first = number[angle];
@@ -342,7 +329,7 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
     r.family = family_of(recipe);
     r.was_multigrid = is_multigrid(recipe, *r.family);
   }
-  const int8_t angle = slot_named(*r.family, "angle"), scale = slot_named(*r.family, "scale");
+  const int8_t angle = angles_of(*r.family), scale = slot_named(*r.family, "scale");
   r.first_angle = angle < 0 ? 0 : recipe.stage[0].number[angle];
   r.scale = scale < 0 ? base::kMicro : recipe.stage[0].number[scale];
   bool good = true;

@@ -138,13 +138,17 @@ static void put_stage(Writer& w, const Family& f, const Stage& stage) {
 
 static void put_start(Writer& w, const Start& s) {
   put_key(w, "start");
-  put_word(w, "noise|seeds", s.kind);
+  put_word(w, kStarts, s.kind);
   if (s.kind == Start::noise) return;
   put_pair(w, "pitch", s.pitch);
   put_pair(w, "aspect", s.aspect);
   put_pair(w, "jitter", s.jitter);
   put_pair(w, "radius", s.radius);
   put_pair(w, "amplitude", s.amplitude);
+  if (s.kind == Start::seeds) return;
+  put_pair(w, "length", s.length);
+  put_pair(w, "lean", s.lean);
+  put_pair(w, "fan", s.fan);
 }
 
 static void put_sides(Writer& w, const Sides& s) {
@@ -156,7 +160,7 @@ static void put_sides(Writer& w, const Sides& s) {
     held = held || s.kind[i] == Sides::fixed;
   }
   if (!held) return;
-  put_key(w, "held");
+  put_key(w, "fixed");
   put_decimal(w, s.held[0]);
   put(w, ',');
   put_decimal(w, s.held[1]);
@@ -215,7 +219,8 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   if (has_sides(recipe)) recipe::put_sides(w, recipe.sides);
   recipe::put_paint(w, recipe.paint);
   for (uint8_t i = 1; i < recipe.stages && !multigrid; ++i) {
-    recipe::put(w, recipe.stage[i].entry == Entry::refine ? " then refine" : " then carry");
+    recipe::put(w, " then ");
+    recipe::put_word(w, recipe::kEntries, static_cast<int32_t>(recipe.stage[i].entry) - static_cast<int32_t>(Entry::carry));
     recipe::put_stage(w, *family, recipe.stage[i]);
   }
   if (size > 0) text[w.length < size ? w.length : size - 1] = 0;

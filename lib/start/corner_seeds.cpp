@@ -39,7 +39,7 @@ void corner_seeds_row(const Place& place, const Start& start, const Levels& leve
   one.width = one.height = static_cast<uint16_t>(place.width / grid::kTilesAcross);
   const DiscGrid discs = disc_grid(start, one);
   const grid::Classes classes = base::rom_load(&grid::kClasses);
-  const int32_t value = disc_value(start, levels);
+  const int32_t value = disc_level(start, levels);
   const int64_t at = static_cast<int64_t>(y) * 256 + 128;
   const int64_t wide = reach_of(place, start, band, discs.wide / discs.columns);
   const int64_t high = reach_of(place, start, band, discs.high / discs.rows);

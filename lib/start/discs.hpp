@@ -8,12 +8,6 @@ namespace dapple::start {
 
 constexpr uint32_t kJitterX = 64, kJitterY = 65;  // hash streams
 
-// What the discs hold.
-constexpr int32_t disc_value(const Start& start, const Levels& levels) {
-  return levels.background + static_cast<int32_t>(base::divide_round(
-      static_cast<int64_t>(levels.disc - levels.background) * start.amplitude, base::kMicro));
-}
-
 // floor(a / b), b > 0.
 constexpr int64_t floor_divide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 

@@ -23,11 +23,16 @@ static void noise_bits(const Place& place, const base::RowKey& key, uint8_t* row
   }
 }
 
+// Uniform over 0..count - 1. Spans of more than 16 bits, which int32 cells can have, by a count cut to 256ths: count <= 2^24.
+template <class T> static int32_t share(uint32_t h, uint32_t count) {
+  return static_cast<int32_t>(sizeof(T) == 4 && count > 65536 ? ((h >> 16) * (count >> 8)) >> 8 : base::below(h, count));
+}
+
 template <class T> static void noise_cells(const Place& place, const base::RowKey& key, const Levels& levels, T* row) {
   const uint32_t count = static_cast<uint32_t>(levels.high - levels.low) + 1;
   int32_t at = world(place.x, place.width, place.plane);
   for (uint16_t x = 0; x < place.width; ++x) {
-    row[x] = static_cast<T>(levels.low + static_cast<int32_t>(base::below(base::hash(key, at), count)));
+    row[x] = static_cast<T>(levels.low + share<T>(base::hash(key, at), count));
     if (++at == place.width && !place.plane) at = 0;
   }
 }

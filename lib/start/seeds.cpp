@@ -5,14 +5,6 @@
 
 namespace dapple::start {
 
-static void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
-  switch (place.cell) {
-    case grid::Cell::bit: grid::put_bit(static_cast<uint8_t*>(row), x, value != 0); break;
-    case grid::Cell::int16: static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value); break;
-    case grid::Cell::int32: static_cast<int32_t*>(row)[x] = value; break;
-  }
-}
-
 void clear_row(const Place& place, const Levels& levels, void* row) {
   for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
 }
@@ -72,7 +64,7 @@ void seeds_row(const Place& place, const Start& start, const Levels& levels, uin
   clear_row(place, levels, row);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
-  const int32_t value = disc_value(start, levels);
+  const int32_t value = disc_level(start, levels);
   Span rows = {0, discs.rows - 1}, columns = {0, discs.columns - 1};
   if (place.plane) {
     const int64_t radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;

@@ -1,4 +1,4 @@
-// Initial states: noise in every cell, or seed discs on a jittered diamond grid.
+// Initial states: noise in every cell, seed discs on a jittered diamond grid, initiator cells in a uniform state, smooth phases.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../grid/domain.hpp"
@@ -35,29 +35,53 @@ void seeds_row(const Place& place, const Start& start, const grid::Levels& level
 // and discs that may touch the `band` cells at an edge move alike in all the tiles that share it.
 void corner_seeds_row(const Place& place, const Start& start, const grid::Levels& levels, uint16_t band, uint16_t y, void* row);
 
+// Initiators, in the background: a disc in the middle of the tile (the plane's origin); a line through it, along x or y, whichever is
+// nearer to `lean`, 2 radius + 1 wide; segments, one to every pitch x pitch, of a length from 1/2 to 1 `length`, within `fan` of `lean`.
+void point_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+void line_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+void segments_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+// Independent smooth noise in every plane, of blobs a pitch wide, about the background: two planes make every phase of a circle.
+void phases_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+
 }  // namespace start
 
 // How a recipe starts. Lengths are in cells of the finest grid, numbers in 1/1000000.
 struct Start {
-  enum Kind : uint8_t { noise, seeds } kind;
-  int32_t pitch;      // seeds: distance of the discs along a row
+  enum Kind : uint8_t { noise, seeds, point, line, segments, phases } kind;
+  int32_t pitch;      // seeds: distance of the discs along a row; segments: distance; phases: width of the blobs
   int32_t aspect;     // seeds: distance of the rows of discs, as a share of pitch
   int32_t jitter;     // seeds: each disc is moved by up to this share of the spacing, uniformly, in either direction
-  int32_t radius;     // seeds: of the discs
+  int32_t radius;     // of discs and lines; half the width of segments
   int32_t amplitude;  // of the seeds, as a share of the model's own
   start::RowStart row;  // what does it: firmware links no other
+  int32_t length = 30 * base::kMicro;  // segments: of the longest
+  int32_t lean = 90 * base::kMicro;    // line, segments: degrees from x towards y (down)
+  int32_t fan = 5729578;               // segments: degrees either way; .1 radians
 };
 
-constexpr start::RowStart row_start(Start::Kind kind) { return kind == Start::noise ? start::noise_row : start::seeds_row; }
+constexpr const char* kStarts = "noise|seeds|point|line|segments|phases";
+constexpr start::RowStart row_start(Start::Kind kind) {
+  switch (kind) {
+    case Start::noise: return start::noise_row;
+    case Start::seeds: return start::seeds_row;
+    case Start::point: return start::point_row;
+    case Start::line: return start::line_row;
+    case Start::segments: return start::segments_row;
+    case Start::phases: return start::phases_row;
+  }
+  return nullptr;
+}
 
 // Ranges, 1/kMicro; jitter and amplitude are 0..1.
 constexpr int32_t kPitch[2] = {4 * base::kMicro, 1000 * base::kMicro}, kRadius[2] = {500000, 200 * base::kMicro};
-constexpr int32_t kAspect[2] = {200000, 5 * base::kMicro};
+constexpr int32_t kAspect[2] = {200000, 5 * base::kMicro}, kLength[2] = {2 * base::kMicro, 1000 * base::kMicro};
+constexpr int32_t kLean[2] = {-360 * base::kMicro, 360 * base::kMicro}, kFan[2] = {0, 90 * base::kMicro};
 
 constexpr bool in_range(const Start& s) {
   if (s.kind == Start::noise) return true;
   const auto within = [](int32_t value, int32_t low, int32_t high) { return value >= low && value <= high; };
-  return s.kind == Start::seeds && within(s.pitch, kPitch[0], kPitch[1]) && within(s.aspect, kAspect[0], kAspect[1]) &&
+  return s.kind <= Start::phases && within(s.length, kLength[0], kLength[1]) && within(s.lean, kLean[0], kLean[1]) &&
+         within(s.fan, kFan[0], kFan[1]) && within(s.pitch, kPitch[0], kPitch[1]) && within(s.aspect, kAspect[0], kAspect[1]) &&
          within(s.jitter, 0, base::kMicro) && within(s.radius, kRadius[0], kRadius[1]) && within(s.amplitude, 0, base::kMicro);
 }
 
@@ -72,6 +96,20 @@ constexpr int32_t world(int32_t at, uint16_t size, bool plane) {
   if (plane) return at;
   const int32_t rest = at % size;
   return rest < 0 ? rest + size : rest;
+}
+
+// One cell of a row.
+inline void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
+  switch (place.cell) {
+    case grid::Cell::bit: grid::put_bit(static_cast<uint8_t*>(row), x, value != 0); break;
+    case grid::Cell::int16: static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value); break;
+    case grid::Cell::int32: static_cast<int32_t*>(row)[x] = value; break;
+  }
+}
+
+// What discs, lines and segments hold.
+inline int32_t disc_level(const Start& start, const Levels& levels) {
+  return levels.background + static_cast<int32_t>(base::divide_round(static_cast<int64_t>(levels.disc - levels.background) * start.amplitude, base::kMicro));
 }
 
 // The lattice of seed discs: spacing is numerator / denominator in 1/256 cells. On a torus columns = round(width / pitch)

@@ -27,7 +27,7 @@ static_assert(DAPPLE_BAD_RECIPE == int{bad_recipe} && DAPPLE_BAD_SIDE == int{bad
 static_assert(DAPPLE_NOT_A_MULTIPLE == int{not_a_multiple} && DAPPLE_TILE_TOO_SMALL == int{tile_too_small}, "");
 static_assert(DAPPLE_TOO_LARGE == int{too_large} && DAPPLE_TOO_LITTLE_MEMORY == int{too_little_memory}, "");
 static_assert(DAPPLE_TOO_FAR == int{too_far} && DAPPLE_HALO_TOO_WIDE == int{halo_too_wide}, "");
-static_assert(DAPPLE_BAD_MAP == int{bad_map}, "");
+static_assert(DAPPLE_BAD_MAP == int{bad_map} && DAPPLE_UNSTABLE == int{unstable}, "");
 static_assert(DAPPLE_BAD_SIDES == int{bad_sides}, "");
 static_assert(DAPPLE_BAD_SURFACE == int{bad_surface}, "");
 

@@ -88,6 +88,12 @@ static void explain(Sentence& s, const Trouble& trouble, const char* text) {
       put_limit(s, trouble.low, trouble.whole);
       put(s, " to ");
       return put_limit(s, trouble.high, trouble.whole);
+    case unstable: {
+      const bool least = trouble.value < trouble.low;
+      put(s, trouble.allowed);
+      put(s, least ? " is too small for the stage's grid; the least is " : " makes the steps diverge; the most is ");
+      return put_limit(s, least ? trouble.low : trouble.high, false);
+    }
     default:
       put_shown(s, trouble.word);
       return put(s, " does not go with the other words");
@@ -121,6 +127,8 @@ static void explain(Sentence& s, const Need& need) {
       put(s, uint64_t{need.halo});
       put(s, " more cells on every side; the most are ");
       return put(s, uint64_t{kWidestHalo});
+    case unstable:
+      return put(s, "a number makes the steps diverge, or is too small for the stage's grid");
     case bad_map:
       return put(s, "map=image and solver=styled need images, 1 to 256 cells a side");
     case bad_sides:

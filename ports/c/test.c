@@ -164,7 +164,7 @@ static void check_text_errors(void) {
   refused("zebra rho=0 stripes", tile, some, DAPPLE_BROKEN_TEXT, 13, "'stripes' is not key=value");
   refused("zebra gray-scott", tile, some, DAPPLE_NOT_POSSIBLE, 7, "model");
   refused("zebra ramp=rainbow", tile, some, DAPPLE_UNKNOWN_WORD, 12, "'rainbow' is not one of");
-  refused("zebra rho=0 then jump", tile, some, DAPPLE_UNKNOWN_WORD, 18, "carry|refine");
+  refused("zebra rho=0 then jump", tile, some, DAPPLE_UNKNOWN_WORD, 18, "carry|refine|freeze|reset");
   refused("zebra fine=3", tile, some, DAPPLE_NOT_POSSIBLE, 7, "does not go");
   refused("zebra \xc3\xa4=1", tile, some, DAPPLE_UNKNOWN_WORD, 7, "'\?\?' is not a key");
   refused("gray-scott feed=2", tile, some, DAPPLE_OUT_OF_RANGE, 17, "'2' is out of range");

@@ -37,14 +37,18 @@ const dappleWords = {
             "; a recipe begins with " + families.map((f) => f.name).join(", ");
         const family = families.find((f) => f.name === told.allowed);
         if (family) return word + " is not a key of " + family.name + "; there is " + dappleWords.keys(family);
-        return word + " is not one of " + (told.allowed === null ? "carry|refine" : told.allowed).split("|").join(", ");
+        return word + " is not one of " + (told.allowed === null ? "carry|refine|freeze|reset" : told.allowed).split("|").join(", ");
       }
       case -2: {  // out_of_range
         const number = told.whole ? String : dappleWords.decimal, all = told.word === line;
         return (all ? "the wavelength" : word) + " is out of range, " + number(told.low) + " to " + number(told.high);
       }
+      case -20:  // unstable: a step that diverges, or a grid too coarse; the number is named
+        return told.allowed + (told.allowed === "scale" ? " is too small for the stage's grid; the least is " + dappleWords.decimal(told.low)
+          : " makes the steps diverge; the most is " + dappleWords.decimal(told.high));
       default:  // not_possible: which words exclude each other follows from the word that was met
         if (told.word === "carry") return `a recipe has at most ${limits.stages} stages`;
+        if (told.word === "freeze" || told.word === "reset") return `'then ${told.word}' is for families of kinetics, at most ${limits.stages} stages`;
         if (told.word === "refine")
           return `'then refine' needs a stage of level 1 to 3 before it, and there are at most ${limits.stages} stages`;
         if (told.word === "binary") return "solver=binary is a family of its own, of one bit a cell: begin the recipe with bits";
@@ -64,6 +68,7 @@ const dappleWords = {
       case -14: return "more memory than there are addresses";
       case -15: return "not enough memory";
       case -19: return "map=image and solver=styled need images, which cannot be given here";
+      case -20: return "a number makes the steps diverge, or is too small for its grid";
       case -21: return "sides other than sides=repeat need a patch, which cannot be given here";
       case -22: return "solver=surface needs a surface, which cannot be given here";
       case -17: return "the plane ends here";

@@ -36,10 +36,14 @@ check() {
     END { printf "%-20s .text %6d, with constants %6d bytes; .data and .bss %6d bytes\n", name, text, flash, ram }'
 }
 
-others='euler|nine_row|dapple::(bits|cells)|convol|mask|sliced'
+others='turing|meinhardt|fitzhugh|schnakenberg|brusselator|kinetics_|cascade|euler|nine_row|dapple::(bits|cells)|convol|mask|sliced'
 for target in x86-64 cortex-m0 avr; do
   check $target zebra "gray_scott|kinetic|laplacian|five_row|$others"
   check $target mitosis "threshold|lattice|gaussian|pass_|series|$others"
+done
+rest='gray_scott|threshold|lattice|gaussian|five_row|nine_row|meinhardt|fitzhugh|schnakenberg|brusselator|cascade|dapple::(bits|cells)|convol|mask'
+for target in x86-64 cortex-m0; do
+  check $target turing_spots "$rest|phases|point_row|segment"
 done
 echo "(64 x 64 cells in .bss; without start-up code and the compiler's integer helpers; x86-64 with the C start-up code)"
 finish

@@ -26,7 +26,7 @@ test_words() {
 }
 
 test_list() {
-  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|mapped|gray-scott|bits|flow|cells) +[^ ].*[^ ]$')" 0
+  equal "list: no other lines" "$(run list | grep -cvE '^[a-z0-9-]+ +(threshold|mapped|gray-scott|turing|meinhardt-spots|meinhardt-stripes|fitzhugh-nagumo|schnakenberg|brusselator|bits|flow|cells) +[^ ].*[^ ]$')" 0
   check "list has zebra" grep -q '^zebra  *threshold  *[a-z]' <(run list)
   run list --json > "$folder/list.json"
   [ $python = no ] || equal "list --json" "$(python3 -c 'import json, sys

@@ -64,7 +64,7 @@ test_files() {
   equal "an atlas that is a torus" "$(hash_of flat "$zebra" --atlas "$folder/torus.txt" --size 64)" "$(grown "$zebra" --size 64)"
   equal "sides=repeat" "$(grown "$zebra" --size 64 sides=repeat)" "$(grown "$zebra" --size 64)"
   differ "sides=closed" "$(grown "$zebra" --size 64 sides=closed)" "$(grown "$zebra" --size 64)"
-  differ "held=" "$(grown "$zebra" --size 64 sides=fixed held=1,0)" "$(grown "$zebra" --size 64 sides=fixed held=0,1)"
+  differ "fixed=" "$(grown "$zebra" --size 64 sides=fixed fixed=1,0)" "$(grown "$zebra" --size 64 sides=fixed fixed=0,1)"
   check "info with sides" run info "$zebra" sides=closed --size 64
   equal "a recipe's sides" "$(grown "$(run info "$zebra" sides=repeat,closed --size 64 | head -n 1)" --size 64)" \
     "$(grown "$zebra" --size 64 sides=repeat,closed)"

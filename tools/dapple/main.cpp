@@ -49,7 +49,7 @@ std::string keys_help() {
   std::string text =
       "\nNAME is a preset ('dapple list'). RECIPE is a line of text, in quotes: a family and key=value words, then "
       "perhaps\n"
-      "'then carry' or 'then refine' and more of them. key=value arguments change numbers of a preset or recipe:\n\n";
+      "'then carry', 'refine', 'freeze' or 'reset' and more of them. key=value arguments change numbers of a preset or recipe:\n\n";
   for (const dapple::recipe::Family& family : dapple::recipe::families)
     text += std::string("  ") + family.name + ": " + listed(keys_of(family)) + "\n";
   return text + "  all: " + listed(common_keys()) + "\n";

@@ -65,7 +65,7 @@ static std::string broken(const std::string& text, const Trouble& trouble, const
 }
 
 static std::string unknown(const Trouble& trouble, const std::string& word) {
-  const std::string allowed = trouble.allowed != nullptr ? trouble.allowed : "carry|refine";
+  const std::string allowed = trouble.allowed != nullptr ? trouble.allowed : dapple::recipe::kEntries;
   for (const Family& family : dapple::recipe::families)
     if (allowed == family.name)
       return shown(word) + " is not a key of " + family.name + "; there is " + listed(keys_of(family)) + ", " +
@@ -84,6 +84,8 @@ static std::string impossible(const std::string& word) {
   if (word.find("repeat") != std::string::npos)
     return "sides repeat in pairs, left with right and top with bottom";
   if (word == "carry") return "a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
+  if (word == "freeze" || word == "reset")
+    return "'then " + word + "' is for families of kinetics, and a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
   if (word == "refine")
     return "'then refine' needs a stage of level 1 to 3 before it, and there are at most " +
            std::to_string(dapple::kMaxStages) + " stages";
@@ -91,6 +93,14 @@ static std::string impossible(const std::string& word) {
     return "solver=binary is a family of its own, of one bit a cell: begin the recipe with bits; masks=, react=, diffusion=, "
            "stretch=, angle= and wavelength= are pairs= and so on, rho= is a share of the mask";
   return "fine=F needs levels=L or solver=multigrid, and the steps must be more than F (L - 1)";
+}
+
+// A number that makes steps diverge, or a grid too coarse for the pattern.
+static std::string unsteady(const std::string& name, int32_t value, int32_t low, int32_t high) {
+  const bool least = value < low;
+  return name + "=" + decimal_text(value) + (least ? " is too small for the stage's grid" : " makes the steps diverge") +
+         "; with the other numbers as they are " + name + "=" + decimal_text(least ? low : high) + " would do, and nothing " +
+         (least ? "below" : "above") + " it";
 }
 
 static std::string reason(const std::string& text, const Trouble& trouble) {
@@ -102,6 +112,8 @@ static std::string reason(const std::string& text, const Trouble& trouble) {
       return unknown(trouble, word);
     case dapple::out_of_range:
       return outside(text, trouble, word);
+    case dapple::unstable:
+      return unsteady(trouble.allowed, trouble.value, trouble.low, trouble.high);
     default:
       return impossible(word);
   }
@@ -240,6 +252,9 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
       refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:
       refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM, PPM or PNG files");
+    case dapple::unstable:
+      refuse(unsteady(dapple::recipe::name_at(family_of(subject.recipe), need.bound.slot),
+                      subject.recipe.stage[need.stage].number[need.bound.slot], need.bound.low, need.bound.high));
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:
@@ -261,8 +276,8 @@ std::vector<std::string> keys_of(const Family& family) {
 }
 
 std::vector<std::string> common_keys() {
-  return {"wavelength", "steps",     "level", "levels", "fine", "solver", "start", "pitch", "aspect", "jitter",  "radius",
-          "amplitude",  "sides",     "held",  "ramp",   "range", "light", "gloss", "grain", "opacity", "roughness"};
+  return {"wavelength", "steps",  "level", "levels", "fine",  "solver", "start", "pitch", "aspect", "jitter",  "radius", "amplitude",
+          "length",     "lean",   "fan",   "sides",  "fixed", "ramp",   "range", "light", "gloss",  "grain",   "opacity", "roughness"};
 }
 
 std::string decimal_text(int32_t micro) {

@@ -1,0 +1,197 @@
+// Steps of explicit kinetics. See kinetics.hpp.
+// SPDX-License-Identifier: MIT
+#include "kinetics.hpp"
+
+#include "../base/hash.hpp"
+#include "../start/start.hpp"
+
+namespace dapple::evolve {
+
+constexpr uint32_t kVaryStream = 160;  // of the hash
+
+// What the first sweep of a stage does, p[2].
+enum Mode : uint8_t { freezes = 1, resets_on = 2, resets_off = 4, leaves = 8, holds = 16 };
+
+static bool wide(const Model& model) { return model.cell == grid::Cell::int32; }
+
+void prepare_kinetics(const Context& context) {
+  const int32_t* number = context.number;
+  int32_t* table = context.table;
+  const stencil::EightWeights w = stencil::eight_weights(number[kinetics::stretch], number[kinetics::angle]);
+  table[0] = w.x;
+  table[1] = w.y;
+  table[2] = w.fall;
+  table[3] = w.rise;
+  table[shown_plane] = number[kinetics::show];
+  table[held_apart] = number[kinetics::held];
+  table[morphogens] = context.model->planes(number);
+  table[varies] = kinetics::fixed(number[kinetics::vary], kinetics::kVaryBits);
+  table[vary_count] = 2 * table[varies] + 1;
+  table[origin_x] = context.ground->x >> context.level;
+  table[origin_y] = context.ground->y >> context.level;
+  table[ring_x] = context.ground->width >> context.level;
+  table[ring_y] = context.ground->height >> context.level;
+  table[on_plane] = context.plane;
+  table[seed_of] = static_cast<int32_t>(context.seed);
+  table[wide_cells] = wide(*context.model);
+}
+
+static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
+static uint8_t held_at(const grid::Rows& rows) {
+  return static_cast<uint8_t>(kept_at(rows) + (rows.table[varies] > 0 ? 1 : 0));
+}
+
+// in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
+// the sums of every morphogen, a row of zeros where no rate varies, then the reaction's own rows.
+static void step_row(const grid::Rows& rows) {
+  const size_t row_bytes = grid::row_bytes(grid::Cell::int32, rows.n);
+  const uint8_t planes = kept_at(rows);
+  grid::Rows stencil = rows, react = rows;
+  for (uint8_t plane = 0; plane < planes; ++plane) {
+    for (uint8_t k = 0; k < 3; ++k) stencil.in[k] = rows.in[3 * plane + k];
+    stencil.out[0] = rows.scratch + plane * row_bytes;
+    rows.part[0](stencil);
+    react.in[plane] = stencil.out[0];
+  }
+  int32_t* const zeros = reinterpret_cast<int32_t*>(rows.scratch + planes * row_bytes);
+  react.in[planes] = zeros;
+  if (rows.table[varies] > 0) react.in[planes] = rows.out[planes];
+  else
+    for (uint16_t x = 0; x < rows.n; ++x) zeros[x] = 0;
+  react.scratch = rows.scratch + (planes + 1u) * row_bytes;
+  rows.part[1](react);
+}
+
+// mask: all ones where the cell is held.
+template <class T>
+static void hold(const T* DAPPLE_RESTRICT old, const T* DAPPLE_RESTRICT mask, T* DAPPLE_RESTRICT cells, uint16_t n) {
+  for (uint16_t x = 0; x < n; ++x) cells[x] = static_cast<T>(cells[x] ^ ((cells[x] ^ old[x]) & mask[x]));
+}
+template <class T>
+static void hold_row(const grid::Rows& rows) {
+  step_row(rows);
+  const T* const mask = static_cast<const T*>(rows.out[held_at(rows)]);
+  for (uint8_t plane = 0; plane < kept_at(rows); ++plane)
+    hold(static_cast<const T*>(rows.in[3 * plane + 1]), mask, static_cast<T*>(rows.out[plane]), rows.n);
+}
+
+// A uniform deviation for every cell, the same whatever the order.
+template <class T>
+static void vary_cells(const grid::Rows& rows, T* cells) {
+  const int32_t* t = rows.table;
+  const uint16_t width = static_cast<uint16_t>(t[ring_x]), height = static_cast<uint16_t>(t[ring_y]);
+  const bool plane = t[on_plane] != 0;
+  const base::RowKey key =
+      base::row_key(static_cast<uint32_t>(t[seed_of]), kVaryStream, start::world(t[origin_y] + rows.y, height, plane));
+  int32_t at = start::world(t[origin_x] + rows.x, width, plane);
+  for (uint16_t x = 0; x < rows.n; ++x) {
+    cells[x] = static_cast<T>(
+        static_cast<int32_t>(base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]))) - t[varies]);
+    if (++at == width && !plane) at = 0;
+  }
+}
+
+// The first sweep of a stage: what varies, what is held, what goes back to the uniform state. All planes in place.
+// p: {threshold, shown plane, Mode, uniform state of every morphogen}, in the cells' format.
+template <class T>
+static void enter_row(const grid::Rows& rows) {
+  const uint8_t planes = kept_at(rows);
+  const int32_t mode = rows.p[2];
+  if (rows.table[varies] > 0) vary_cells(rows, static_cast<T*>(rows.out[planes]));
+  if ((mode & holds) == 0) return;
+  T* const mask = static_cast<T*>(rows.out[held_at(rows)]);
+  const T* const shown = static_cast<const T*>(rows.out[rows.p[1]]);
+  for (uint16_t x = 0; x < rows.n; ++x) {
+    const bool on = shown[x] > rows.p[0];
+    if ((mode & leaves) == 0) mask[x] = static_cast<T>(on && (mode & freezes) != 0 ? -1 : 0);
+    if ((mode & (on ? resets_on : resets_off)) == 0) continue;
+    for (uint8_t i = 0; i < planes; ++i) static_cast<T*>(rows.out[i])[x] = static_cast<T>(rows.p[3 + i]);
+  }
+}
+
+static int32_t mode_of(const Context& context, bool has_mask) {
+  const bool begins = context.entry == Entry::freeze || context.entry == Entry::reset;
+  const int32_t reset = begins ? context.number[kinetics::reset] : 0;
+  return (has_mask ? holds : 0) | (context.entry == Entry::freeze ? freezes : 0) |
+         (context.entry == Entry::carry ? leaves : 0) |
+         (reset == kinetics::on    ? resets_on
+          : reset == kinetics::off ? resets_off
+                                   : 0);
+}
+
+static void all_planes(const Context& context, bool has_mask, Sweep& sweep) {
+  sweep.first = 0;
+  sweep.count = static_cast<uint8_t>(context.model->planes(context.number) + kept_by(context.number, has_mask));
+}
+
+static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
+  const Model& model = *context.model;
+  all_planes(context, has_mask, sweep);
+  sweep.radius = 0;
+  sweep.row = wide(model) ? enter_row<int32_t> : enter_row<int16_t>;
+  sweep.p[0] = kinetics::fixed(context.number[kinetics::above], wide(model) ? kinetics::kWide : kinetics::kNarrow);
+  sweep.p[1] = context.number[kinetics::show];
+  sweep.p[2] = mode_of(context, has_mask);
+  for (uint8_t i = 0; i < model.planes(context.number); ++i)
+    sweep.p[3 + i] = model.levels(context.number, i).background;
+}
+
+static void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep) {
+  const bool isotropic = context.number[kinetics::stretch] == base::kMicro;
+  const grid::RowKernel round = wide(*context.model) ? stencil::five_wide_row : stencil::five_narrow_row;
+  const grid::RowKernel oval = wide(*context.model) ? stencil::eight_wide_row : stencil::eight_narrow_row;
+  all_planes(context, has_mask, sweep);
+  sweep.radius = 1;
+  sweep.stride = sweep.halo = 1;
+  sweep.row = row;
+  sweep.part[0] = grid::choose(context.kernels, isotropic ? round : oval);
+  sweep.part[1] = grid::choose(context.kernels, context.model->react);
+  context.model->values(context.number, context.clock, sweep.p);
+}
+
+bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  const bool enters = context.first && context.number[kinetics::vary] > 0;
+  const uint16_t at = cursor.sweep++;
+  if (enters && at == 0) enter_sweep(context, false, sweep);
+  else step_sweep(context, false, step_row, sweep);
+  return at <= (enters ? 1 : 0);
+}
+
+bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  const uint16_t at = cursor.sweep++;
+  if (context.first && at == 0) enter_sweep(context, true, sweep);
+  else step_sweep(context, true, wide(*context.model) ? hold_row<int32_t> : hold_row<int16_t>, sweep);
+  return at <= (context.first ? 1 : 0);
+}
+
+template <class T>
+static int16_t field_of(T cell) {
+  return static_cast<int16_t>(sizeof(T) == 4 ? (cell + (1 << (kinetics::kWide - kinetics::kShown - 1))) >>
+                                                   (kinetics::kWide - kinetics::kShown)
+                                             : cell);
+}
+template <class T>
+static void field_row_of(const void* cells, uint16_t x, uint16_t n, int16_t* out) {
+  const T* const from = static_cast<const T*>(cells) + x;
+  for (uint16_t i = 0; i < n; ++i) out[i] = field_of(from[i]);
+}
+
+// The shown morphogen.
+void kinetics_field(const grid::Rows& rows) {
+  const void* const shown = rows.in[rows.table[shown_plane]];
+  if (rows.table[wide_cells] != 0) field_row_of<int32_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
+  else field_row_of<int16_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
+}
+
+// Held cells show as their negative where they are to look apart.
+void cascade_field(const grid::Rows& rows) {
+  kinetics_field(rows);
+  if (rows.run == 0 || rows.table[held_apart] == 0) return;
+  const uint8_t cell = rows.table[wide_cells] != 0 ? 4 : 2;
+  const uint8_t* const mask = static_cast<const uint8_t*>(rows.in[held_at(rows)]) + static_cast<size_t>(rows.x) * cell;
+  int16_t* const out = grid::out16(rows, 0);
+  for (uint16_t x = 0; x < rows.n; ++x)
+    if (mask[static_cast<size_t>(x) * cell] != 0) out[x] = static_cast<int16_t>(-out[x]);
+}
+
+}  // namespace dapple::evolve

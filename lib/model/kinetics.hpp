@@ -1,0 +1,131 @@
+// What models of explicit kinetics share: concentrations that react with rates per step and diffuse, u' = u + dt (R + D
+// lap u). The first numbers of every such family, and rates in fixed point. Turk 1991; docs/numbers.md, "Kinetics".
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../base/math.hpp"
+#include "model.hpp"
+
+namespace dapple::kinetics {
+
+// Slots; a model's own numbers follow.
+enum Slot : uint8_t { scale, dt, show, above, reset, held, stretch, angle, vary, own };
+enum Reset : uint8_t { none, on, off };
+enum Held : uint8_t { same, apart };
+
+// Formats. Wide cells are int32 in Q20 and show in Q10, narrow ones int16 in Q14.
+constexpr uint8_t kWide = 20, kShown = 10, kNarrow = 14;
+constexpr int16_t kWideUnit = 1 << kShown, kNarrowUnit = 1 << kNarrow;
+constexpr uint8_t kVaryBits = 12;  // per-cell deviations
+constexpr uint8_t kGuard = 5;      // sums of a step carry this many bits more than the cells
+
+constexpr int32_t kDt[2] = {10000, 2000000}, kStretch[2] = {1000000, 2414000};  // stretch^2 <= (1 + sqrt 2)^2
+constexpr int32_t kTurn = 360000000;
+
+constexpr Number decimal(const char* name, int32_t low, int32_t high, int32_t standard, const char* unit) {
+  return {Number::decimal, name, low, high, standard, nullptr, unit};
+}
+constexpr const char* kSpeedUnit = "cells: 1 / sqrt(s), s the rate of the reaction per step; the wavelength follows it";
+constexpr const char* kLengthUnit = "length: diffusion goes with its square, the wavelength with it";
+constexpr Number scale_number(int32_t low, int32_t high, int32_t standard, const char* unit = kSpeedUnit) {
+  return decimal("scale", low, high, standard, unit);
+}
+constexpr Number dt_number(int32_t standard) {
+  return decimal("dt", kDt[0], kDt[1], standard, "the time of a step; less on coarser grids, where it has to be");
+}
+constexpr Number show_number(const char* morphogens) {
+  return {Number::word, "show", 0, 4, 0, morphogens, "the morphogen that paint reads and `above` is about"};
+}
+constexpr Number above_number(int32_t low, int32_t high, int32_t standard) {
+  return decimal("above", low, high, standard,
+                 "concentration of the shown morphogen above which a cell is on, and `then freeze` holds it");
+}
+constexpr Number vary_number(int32_t high, const char* unit) { return decimal("vary", 0, high, 0, unit); }
+inline constexpr Number reset_number = {Number::word,
+                                        "reset",
+                                        0,
+                                        2,
+                                        0,
+                                        "none|on|off",
+                                        "the cells that `then freeze` and `then reset` put back to the uniform state"};
+inline constexpr Number held_number = {
+    Number::word, "held", 0, 1, 0, "same|apart", "apart: held cells show as their negative, for colours of their own"};
+inline constexpr Number stretch_number =
+    decimal("stretch", kStretch[0], kStretch[1], 1000000,
+            "length over width of a spot: diffusion is its square stronger along the angle");
+inline constexpr Number angle_number =
+    decimal("angle", -kTurn, kTurn, 0, "degrees from x towards y (down), along the stretch");
+
+// Every decimal number and word of a table within its range.
+constexpr bool in_range(const Number* numbers, uint8_t count, const int32_t* number) {
+  for (uint8_t i = 0; i < count; ++i)
+    if (!within(number[i], numbers[i].low, numbers[i].high)) return false;
+  return true;
+}
+
+// The variance of a step is unused: solvers of this kind read `values`.
+constexpr grid::Tensor tensor(const int32_t*, uint8_t) { return {0, 0, 0}; }
+
+// 1/kMicro in a format of n bits after the point.
+constexpr int32_t fixed(int64_t micro, uint8_t bits) {
+  return static_cast<int32_t>(base::divide_round(micro * (INT64_C(1) << bits), base::kMicro));
+}
+
+// s = 1 / scale^2 on a grid coarser by 2^level, where it is 4^level as large; Q30. scale / 2^level >= 1 cell.
+constexpr int64_t speed_q30(const int32_t* number, uint8_t level) {
+  const int64_t length = base::divide_round((static_cast<int64_t>(number[scale]) >> level) * 1024, base::kMicro);
+  return (INT64_C(1) << 50) / (length * length);
+}
+constexpr int64_t micro_of(int64_t q30) { return (q30 * base::kMicro) >> 30; }
+constexpr int64_t q30_of(int64_t micro) { return (micro << 30) / base::kMicro; }
+
+// The largest dt with dt (8 D + rate) < 2, all in 1/kMicro and rounded down: beyond it the checkerboard grows.
+constexpr int32_t largest_dt(int64_t diffusion, int64_t rate) {
+  const int64_t dt = INT64_C(2) * base::kMicro * base::kMicro / (8 * diffusion + rate + 1);
+  return static_cast<int32_t>(dt < kDt[1] ? dt : kDt[1]);
+}
+
+// (product / unit)^(1/4) in 1/kMicro, of a product of two diffusions in 1/kMicro^2 and its unit.
+constexpr int64_t fourth_root(int64_t product, int64_t unit) {
+  const int64_t share = product * 1000 / unit * 1000000;  // 1/10^9
+  return base::square_root64(static_cast<uint64_t>(base::square_root64(static_cast<uint64_t>(share) * 1000)) * 1000000);
+}
+
+// A scale below `least` cells of the grid is too coarse for the pattern; otherwise dt has a largest value.
+constexpr Bound bound_of(const int32_t* number, uint8_t level, int32_t least, int32_t most) {
+  if ((number[scale] >> level) < least) return {scale, least << level, INT32_MAX};
+  return {dt, 0, level == 0 ? most : INT32_MAX};
+}
+
+// A rate per step: a mantissa of 9 to 10 bits and a shift. With x in Qn, (x mantissa) >> shift is x times the rate,
+// within 1/1024 of it, floored in Q(bits + kGuard); what a step adds is rounded from there once.
+struct Rate {
+  int32_t mantissa, shift;
+};
+// from: n. rate_q30 < 2^(from + 35 - bits), so that the shift is not negative.
+constexpr Rate rate_of(int64_t rate_q30, uint8_t from, uint8_t bits) {
+  uint8_t cut = 0;
+  while (cut < 30 && base::divide_round(rate_q30, INT64_C(1) << cut) >= 1024) ++cut;
+  return {static_cast<int32_t>(base::divide_round(rate_q30, INT64_C(1) << cut)),
+          static_cast<int32_t>(from) + 30 - cut - bits - kGuard};
+}
+
+// In one value of a kernel.
+constexpr int32_t packed(Rate rate) { return rate.mantissa + rate.shift * (INT32_C(1) << 16); }
+constexpr Rate unpacked(int32_t p) { return {p & 0xffff, p >> 16}; }
+
+// x times a rate, in Q(bits + kGuard).
+DAPPLE_INLINE int32_t times(int32_t x, Rate rate) { return (x * rate.mantissa) >> rate.shift; }
+// A sum in Q20 as its part of a step: rounded to Q14 before the product. |lap| <= 80.
+DAPPLE_INLINE int32_t diffused(int32_t lap, Rate rate) { return times((lap + 32) >> 6, rate); }
+// A cell after a step: rounded once, then held within its range.
+DAPPLE_INLINE int32_t stepped(int32_t cell, int32_t sum, int32_t low, int32_t high) {
+  return base::clamp(cell + ((sum + 16) >> kGuard), low, high);
+}
+
+// dt of a step on this grid, 1/kMicro.
+constexpr int32_t step_of(const int32_t* number, int32_t most) { return number[dt] < most ? number[dt] : most; }
+
+// A rate of s dt, s in Q30.
+constexpr int64_t times_dt(int64_t q30, int32_t step) { return base::divide_round(q30 * step, base::kMicro); }
+
+}  // namespace dapple::kinetics

@@ -1,0 +1,209 @@
+// The explicit kinetics in integers against float64, written from the equations (docs/numbers.md, "Kinetics"): from the
+// library's start, wavelength within 2 %, spots within 3 % or two, fill within .01.
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "reference.hpp"
+
+using reference::Grid;
+using reference::Plane;
+namespace kinetics = dapple::kinetics;
+
+namespace {
+
+constexpr Grid kGrid = {128, 128};
+
+// A recipe's numbers by slot, as they are meant.
+struct Numbers {
+  double value[dapple::kMaxNumbers];
+  explicit Numbers(const dapple::Recipe& recipe) {
+    for (uint8_t i = 0; i < dapple::kMaxNumbers; ++i) value[i] = recipe.stage[0].number[i] / 1e6;
+  }
+  double operator[](int slot) const { return value[slot]; }
+};
+
+// What a model is in float64: D of every plane and dc/dt of the reaction at a time.
+struct Kinetics {
+  std::vector<double> diffusion, most;  // cells stay in 0..most, or -most..most
+  bool signs;
+  void (*react)(const Numbers& n, double time, const double* c, double* rate);
+};
+
+double speed(const Numbers& n) { return 1 / (n[kinetics::scale] * n[kinetics::scale]); }
+
+void turing(const Numbers& n, double, const double* c, double* rate) {
+  namespace slot = dapple::turing;
+  rate[0] = speed(n) * (n[slot::growth] - c[0] * c[1]);
+  rate[1] = speed(n) * (c[0] * c[1] - c[1] - n[slot::decay]);
+}
+void spots(const Numbers& n, double, const double* c, double* rate) {
+  namespace slot = dapple::meinhardt_spots;
+  const double made = 0.01 * c[0] * c[0];
+  rate[0] = speed(n) * (made / std::max(c[1], 1.0 / 1024) - n[slot::decay] * c[0] + n[slot::base_rate]);
+  rate[1] = speed(n) * (made - n[slot::drain] * c[1] + n[slot::base_rate]);
+}
+void stripes(const Numbers& n, double, const double* c, double* rate) {
+  namespace slot = dapple::meinhardt_stripes;
+  const double by_a = 0.01 * c[0] * c[0] * c[4], by_b = 0.01 * c[1] * c[1] * c[3], third = std::max(c[2], 1.0 / 32);
+  rate[0] = speed(n) * (by_a / third - n[slot::decay] * c[0]);
+  rate[1] = speed(n) * (by_b / third - n[slot::decay] * c[1]);
+  rate[2] = speed(n) * (by_a + by_b - n[slot::drain] * c[2]);
+  rate[3] = speed(n) * n[slot::relax] * (c[0] - c[3]);
+  rate[4] = speed(n) * n[slot::relax] * (c[1] - c[4]);
+}
+void fitzhugh(const Numbers& n, double, const double* c, double* rate) {
+  namespace slot = dapple::fitzhugh_nagumo;
+  rate[0] = c[0] - c[0] * c[0] * c[0] - c[1];
+  rate[1] = n[slot::slow] * (c[0] - n[slot::couple] * c[1] - n[slot::bias]);
+}
+void schnakenberg(const Numbers& n, double, const double* c, double* rate) {
+  namespace slot = dapple::schnakenberg;
+  rate[0] = speed(n) * (n[slot::feed] - c[0] + c[0] * c[0] * c[1]);
+  rate[1] = speed(n) * (n[slot::supply] - c[0] * c[0] * c[1]);
+}
+void brusselator(const Numbers& n, double time, const double* c, double* rate) {
+  namespace slot = dapple::brusselator;
+  const double square = c[0] * c[0] * c[1];
+  rate[0] =
+      n[slot::feed] - (n[slot::decay] + 1) * c[0] + (1 + n[slot::force] * std::cos(n[slot::pace] * time)) * square;
+  rate[1] = n[slot::decay] * c[0] - square;
+}
+
+Kinetics kinetics_of(const dapple::Model* model, const Numbers& n) {
+  const double square = n[kinetics::scale] * n[kinetics::scale];
+  if (model == &dapple::turing_model)
+    return {{n[dapple::turing::spread], n[dapple::turing::spread] / n[dapple::turing::ratio]}, {20, 14}, false, turing};
+  if (model == &dapple::meinhardt_spots_model)
+    return {{n[dapple::meinhardt_spots::spread], n[dapple::meinhardt_spots::reach]}, {8, 8}, false, spots};
+  if (model == &dapple::meinhardt_stripes_model)
+    return {{n[dapple::meinhardt_stripes::spread], n[dapple::meinhardt_stripes::spread], 0,
+             n[dapple::meinhardt_stripes::reach], n[dapple::meinhardt_stripes::reach]},
+            {2, 2, 2, 2, 2},
+            false,
+            stripes};
+  if (model == &dapple::fitzhugh_nagumo_model)
+    return {{n[dapple::fitzhugh_nagumo::spread] * square, n[dapple::fitzhugh_nagumo::reach] * square},
+            {2, 2},
+            true,
+            fitzhugh};
+  if (model == &dapple::schnakenberg_model)
+    return {{n[dapple::schnakenberg::spread], n[dapple::schnakenberg::reach]}, {6, 4}, false, schnakenberg};
+  return {{square, square * n[dapple::brusselator::delta]}, {6, 8}, false, brusselator};
+}
+
+// The library's start, its cells as concentrations.
+template <class T>
+std::vector<Plane> start_in(const dapple::Recipe& recipe, dapple::grid::Cell cell, double unit) {
+  const dapple::Model& model = *recipe.stage[0].model;
+  const uint16_t width = static_cast<uint16_t>(kGrid.width), height = static_cast<uint16_t>(kGrid.height);
+  const dapple::start::Place place = {cell, width, height, 0, 0, 0, false, 1};
+  std::vector<Plane> planes(model.planes(recipe.stage[0].number));
+  std::vector<T> row(width);
+  for (uint8_t i = 0; i < planes.size(); ++i)
+    for (uint16_t y = 0; y < height; ++y) {
+      recipe.start.row(place, recipe.start, model.levels(recipe.stage[0].number, i), i, y, row.data());
+      for (const T v : row) planes[i].push_back(v / unit);
+    }
+  return planes;
+}
+
+double laplacian(const Plane& c, size_t x, size_t y) {
+  const size_t w = static_cast<size_t>(kGrid.width), h = static_cast<size_t>(kGrid.height), row = y * w;
+  return c[row + (x + 1) % w] + c[row + (x + w - 1) % w] + c[(y + 1) % h * w + x] + c[(y + h - 1) % h * w + x] -
+         4 * c[row + x];
+}
+
+void step(const Kinetics& k, const Numbers& n, double time, std::vector<Plane>& planes) {
+  const std::vector<Plane> old = planes;
+  const size_t w = static_cast<size_t>(kGrid.width);
+  double cell[5], rate[5];
+  for (size_t at = 0; at < old[0].size(); ++at) {
+    for (size_t i = 0; i < old.size(); ++i) cell[i] = old[i][at];
+    k.react(n, time, cell, rate);
+    for (size_t i = 0; i < old.size(); ++i) {
+      const double lap = k.diffusion[i] > 0 ? laplacian(old[i], at % w, at / w) : 0;
+      planes[i][at] =
+          std::clamp(cell[i] + n[kinetics::dt] * (rate[i] + k.diffusion[i] * lap), k.signs ? -k.most[i] : 0, k.most[i]);
+    }
+  }
+}
+
+// Connected places above half of the range, four neighbours, on the torus.
+int spots_in(const Plane& field) {
+  const auto [low, high] = std::minmax_element(field.begin(), field.end());
+  const double level = (*low + *high) / 2;
+  std::vector<bool> seen(field.size());
+  std::vector<size_t> open;
+  const size_t w = static_cast<size_t>(kGrid.width), h = static_cast<size_t>(kGrid.height);
+  int count = 0;
+  for (size_t first = 0; first < field.size(); ++first) {
+    if (seen[first] || field[first] <= level) continue;
+    ++count;
+    seen[first] = true;
+    open.push_back(first);
+    while (!open.empty()) {
+      const size_t x = open.back() % w, row = open.back() / w * w;
+      open.pop_back();
+      for (const size_t next :
+           {row + (x + 1) % w, row + (x + w - 1) % w, (row + w) % (w * h) + x, (row + w * h - w) % (w * h) + x})
+        if (!seen[next] && field[next] > level) {
+          seen[next] = true;
+          open.push_back(next);
+        }
+    }
+  }
+  return count;
+}
+
+struct Case {
+  const char* text;
+  bool counts;  // its spots are worth counting
+};
+constexpr Case kCases[] = {
+    {"turing scale=11.3137 decay=12.25 steps=2400", true},
+    {"turing scale=18.257 decay=12.25 steps=6000", true},
+    {"turing scale=11.3137 decay=19.8 growth=24.5 show=b above=6 steps=2000", false},
+    {"meinhardt-spots scale=2.236 steps=3400", true},
+    {"meinhardt-spots scale=1.58 base=0.004 steps=2000", true},
+    {"meinhardt-stripes spread=0.009 reach=0.2 steps=3000", false},
+    {"meinhardt-stripes spread=0.04 reach=0.24 steps=2000", false},
+    {"fitzhugh-nagumo steps=2000", false},
+    {"fitzhugh-nagumo bias=-0.15 above=0 steps=2000", true},
+    {"schnakenberg above=1.1 steps=6000", false},
+    {"brusselator start=phases pitch=32 delta=0 force=0.1 above=0.5 steps=2000", false},
+    {"brusselator start=phases pitch=32 delta=5 dt=0.04 force=0.15 above=0.5 steps=1000", false},
+};
+
+}  // namespace
+
+TEST_CASE("reference: kinetics in float64") {
+  for (const Case& c : kCases) {
+    const dapple::Recipe recipe = tests::recipe_of(c.text);
+    REQUIRE_MESSAGE(recipe.stages == 1, c.text);
+    const Numbers n(recipe);
+    const Kinetics k = kinetics_of(recipe.stage[0].model, n);
+    const bool wide = recipe.stage[0].model->cell == dapple::grid::Cell::int32;
+    std::vector<Plane> planes = wide ? start_in<int32_t>(recipe, dapple::grid::Cell::int32, 1 << 20)
+                                     : start_in<int16_t>(recipe, dapple::grid::Cell::int16, 1 << 14);
+    for (uint32_t i = 0; i < recipe.stage[0].steps; ++i) step(k, n, i * n[kinetics::dt], planes);
+    const Plane& want = planes[static_cast<size_t>(recipe.stage[0].number[kinetics::show])];
+    Plane have = library_field(recipe, kGrid, 1);
+    for (double& v : have) v /= recipe.stage[0].model->unit;
+    const double level = n[kinetics::above];
+    const reference::Figures f = measure(want, kGrid, level);
+    const reference::Distance d = distance(have, want, kGrid, level, level);
+    const int spots = spots_in(want), found = spots_in(have);
+    const auto [low, high] = std::minmax_element(want.begin(), want.end());
+    std::printf("%-75s %.2f..%.2f wavelength %5.2f %+5.2f %%  fill %.3f %+.4f  spots %3d %+3d  agreement %.4f\n",
+                c.text, *low, *high, f.wavelength, 100 * d.wavelength, f.fill, d.fill, spots, found - spots,
+                d.agreement);
+    INFO(c.text);
+    CHECK(std::fabs(d.wavelength) <= 0.02);
+    CHECK(std::fabs(d.fill) <= 0.01);
+    if (c.counts) CHECK(std::abs(found - spots) <= std::max(2.0, 0.03 * spots));
+  }
+}
