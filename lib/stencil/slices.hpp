@@ -88,7 +88,8 @@ template <bool rom, uint8_t place, class W> inline const uint16_t* add_list(cons
   return t;
 }
 
-// With small code numbers of every place are added by one loop, to the sum from that place on, and carry into words behind it.
+// With small code numbers of every place are added by one loop, to the sum from that place on, and carry into words
+// behind it.
 constexpr uint8_t kRoomBehind = base::kSmallCode ? kPlaces - 1 : 0;
 
 template <bool rom, class W> inline const uint16_t* add_sign(const W* c, const uint16_t* t, const uint8_t* count, W* sum) {

@@ -7,12 +7,14 @@
 namespace texts {
 
 constexpr char kPhrases[] =
-    " angle| around a centre| aspect| at one bit a cell| diffusion=isotropic| fi| field=scalar nodes=64 bend=1.3|"
-    " gloss=0.| jitter| kill| levels=2 fine=8| light=| of | radius=| ramp=| range| range=-0.| ratio=1.5 scale=|"
-    " react=da| react=md| rho=-0.0| rho=0| start=seeds pitch=| steps=| stretch=| that | the | threads| ways|"
-    " window=6 scale=|, coarse to fine|,0.|.025|1.5|17.188734|=0.|=9.167325|@0..0.|_fast|a basket |bits|branch|"
-    "coral|crossing|e directions|eave|flow|giraffe|gray-scott feed=0.0|haunch|labyrinth|mapped pairs=|mapped pairs=2 react=md map=radial detail=0.|"
-    "nobody has named|rain|reptile|ripples|sand|spots|straw plaited |stripes|threshold pairs=|zebra";
+    " angle| around a centre| aspect| at one bit a cell| diffusion=isotropic| fi|"
+    " field=scalar nodes=64 bend=1.3| gloss=0.| jitter| kill| levels=2 fine=8| light=| of | radius=|"
+    " ramp=| range| range=-0.| ratio=1.5 scale=| react=da| react=md| rho=-0.0| rho=0| start=seeds pitch=|"
+    " steps=| stretch=| that | the | threads| ways| window=6 scale=|, coarse to fine|,0.|.025|1.5|"
+    "17.188734|=0.|=9.167325|@0..0.|_fast|a basket |bits|branch|coral|crossing|e directions|eave|flow|"
+    "giraffe|gray-scott feed=0.0|haunch|labyrinth|mapped pairs=|"
+    "mapped pairs=2 react=md map=radial detail=0.|nobody has named|rain|reptile|ripples|sand|spots|"
+    "straw plaited |stripes|threshold pairs=|zebra";
 
 // Of every preset name, sentence and recipe, each ended by a zero.
 constexpr char kPlain[] =
