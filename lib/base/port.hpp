@@ -111,6 +111,13 @@ using Word = uint64_t;
 using Word = uint32_t;
 #endif
 
+// Where a program is sent anew to everybody who wants a texture, a loop at run time is preferred to copies of its body.
+#if defined(__wasm__)
+constexpr bool kSmallCode = true;
+#else
+constexpr bool kSmallCode = false;
+#endif
+
 // Where the stack is a few hundred bytes, larger work space comes from the caller's memory.
 constexpr bool kSmallStack = sizeof(Word) == 1;
 

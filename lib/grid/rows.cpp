@@ -10,23 +10,11 @@ RowKernel choose(const KernelSwap* swaps, RowKernel portable) {
   return portable;
 }
 
+// A halo wider than the row goes on with cells of the halo, which are there by then.
 template <class T> static void wrap_cells(T* row, uint16_t width, uint16_t halo) {
-  if (halo <= width) {
-    for (uint16_t i = 0; i < halo; ++i) {
-      row[static_cast<size_t>(width) + i] = row[i];
-      row[-1 - static_cast<ptrdiff_t>(i)] = row[static_cast<size_t>(width) - 1 - i];
-    }
-    return;
-  }
-  uint16_t source = 0;
   for (uint16_t i = 0; i < halo; ++i) {
-    row[static_cast<size_t>(width) + i] = row[source];
-    if (++source == width) source = 0;
-  }
-  source = static_cast<uint16_t>(width - 1);
-  for (uint16_t i = 1; i <= halo; ++i) {
-    row[-static_cast<ptrdiff_t>(i)] = row[source];
-    source = static_cast<uint16_t>(source == 0 ? width - 1 : source - 1);
+    row[static_cast<size_t>(width) + i] = row[i];
+    row[-1 - static_cast<ptrdiff_t>(i)] = row[static_cast<ptrdiff_t>(width) - 1 - i];
   }
 }
 
@@ -51,9 +39,8 @@ static void wrap_bits(uint8_t* row, uint16_t width, uint16_t halo) {
   if (halo == 0) return;
   if (halo <= 8 && width >= 8) return wrap_eight(row, width, static_cast<uint8_t>(halo));
   for (uint16_t i = 0; i < halo; ++i) {
-    const int32_t right = static_cast<int32_t>(i) % width;
-    put_bit(row, static_cast<int32_t>(width) + i, get_bit(row, right));
-    put_bit(row, -1 - static_cast<int32_t>(i), get_bit(row, static_cast<int32_t>(width) - 1 - right));
+    put_bit(row, static_cast<int32_t>(width) + i, get_bit(row, i));
+    put_bit(row, -1 - static_cast<int32_t>(i), get_bit(row, static_cast<int32_t>(width) - 1 - i));
   }
 }
 

@@ -88,7 +88,15 @@ template <bool rom, uint8_t place, class W> inline const uint16_t* add_list(cons
   return t;
 }
 
+// With small code numbers of every place are added by one loop, to the sum from that place on, and carry into words
+// behind it.
+constexpr uint8_t kRoomBehind = base::kSmallCode ? kPlaces - 1 : 0;
+
 template <bool rom, class W> inline const uint16_t* add_sign(const W* c, const uint16_t* t, const uint8_t* count, W* sum) {
+  if constexpr (base::kSmallCode) {
+    for (uint8_t place = 0; place < kPlaces; ++place) t = add_list<rom, 0>(c, t, count[place], sum + place);
+    return t;
+  }
   t = add_list<rom, 0>(c, t, count[0], sum);
   t = add_list<rom, 1>(c, t, count[1], sum);
   t = add_list<rom, 2>(c, t, count[2], sum);
@@ -108,8 +116,9 @@ template <bool rom, class W> inline void add_taps(const Taps& taps, const W* c, 
   const TapCounts count = counts_of<rom>(taps);
   uint16_t positive = 0;
   for (uint8_t place = 0; place < kPlaces; ++place) positive = static_cast<uint16_t>(positive + count.of[0][place]);
-  W s[kSumBits];
+  W s[kSumBits + kRoomBehind];
   for (uint8_t i = 0; i < kSumBits; ++i) s[i] = sum[i];
+  for (uint8_t i = kSumBits; i < kSumBits + kRoomBehind; ++i) s[i] = 0;
   add_sign<rom>(c, taps.index + positive, count.of[1], s);
   for (W& bit : s) bit = static_cast<W>(~bit);
   add_sign<rom>(c, taps.index, count.of[0], s);

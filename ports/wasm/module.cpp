@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 #include "dapple.hpp"
 #include "recipe/text.hpp"
+#include "texts.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
 
@@ -17,16 +18,6 @@ constexpr int32_t kLongestSide = 65535;
 char text_buffer[kTextBytes];
 int32_t told_numbers[8];
 
-// Presets as text: recipes that are read when they are chosen take less room than recipes that are there.
-struct Listed {
-  const char* part[3];
-};
-constexpr Listed kPresets[] = {
-#define DAPPLE_PRESET(name, sentence, text) {{#name, sentence, text}},
-#include "recipe/presets.def"
-#undef DAPPLE_PRESET
-};
-constexpr int32_t kPresetCount = sizeof kPresets / sizeof kPresets[0];
 constexpr int32_t kFamilyCount = sizeof recipe::families / sizeof recipe::families[0];
 constexpr int32_t kRampCount = sizeof recipe::ramps / sizeof recipe::ramps[0];
 
@@ -53,8 +44,8 @@ EXPORT(limits)() -> void {
 EXPORT(recipe_bytes)() -> int32_t { return sizeof(Recipe); }
 EXPORT(texture_bytes)() -> int32_t { return sizeof(Texture); }
 
-// Lists, each ended by 0. Of a preset: part 0 name (an underscore is a hyphen), 1 sentence, 2 recipe line.
-EXPORT(preset)(int32_t index, int32_t part) -> const char* { return index < kPresetCount ? kPresets[index].part[part] : nullptr; }
+// Lists, each ended by 0. Of a preset: part 0 name (an underscore is a hyphen), 1 sentence, 2 recipe line, each in text().
+EXPORT(preset)(int32_t index, int32_t part) -> const char* { return texts::unpack(3 * index + part, text_buffer) ? text_buffer : nullptr; }
 EXPORT(ramp)(int32_t index) -> const char* { return index < kRampCount ? recipe::ramps[index].name : nullptr; }
 // A family's name; told: the steps it takes by itself.
 EXPORT(family)(int32_t index) -> const char* {
