@@ -72,9 +72,27 @@ Output::Output(const std::string& path) : path_(path) {
   open_beside(path);
 }
 
-// Opens a new file in the same folder, so that renaming it is one step.
+// Signals wait while there is one.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t ours;
+    sigemptyset(&ours);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ours, signal);
+    sigprocmask(SIG_BLOCK, &ours, &before_);
+  }
+  ~SignalsWait() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+// Opens a new file in the same folder, so that renaming it is one step. A signal finds no file that is not on the list.
 void Output::open_beside(const std::string& path) {
   const std::string begin = (files::path(path_).parent_path() / ".dapple-").string() + std::to_string(getpid()) + "-";
+  const SignalsWait until_listed;
   for (int attempt = 0; file_ == nullptr; ++attempt) {
     temporary_ = begin + std::to_string(attempt) + ".part";
     file_ = std::fopen(temporary_.c_str(), "wbx");
@@ -128,18 +146,15 @@ void Output::finish() {
   if (const int error = name()) cannot_write(path_, std::strerror(error));
 }
 
-// Signals wait while the names change.
 void Output::finish_all(const std::vector<std::unique_ptr<Output>>& all) {
   for (const std::unique_ptr<Output>& one : all) one->close();
-  sigset_t ours, before;
-  sigemptyset(&ours);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ours, signal);
-  sigprocmask(SIG_BLOCK, &ours, &before);
   size_t named = 0;
   int error = 0;
-  while (named < all.size() && (error = all[named]->name()) == 0) ++named;
-  for (size_t i = 0; error != 0 && i < named; ++i) std::remove(all[i]->path_.c_str());
-  sigprocmask(SIG_SETMASK, &before, nullptr);
+  {
+    const SignalsWait until_all_are_named;
+    while (named < all.size() && (error = all[named]->name()) == 0) ++named;
+    for (size_t i = 0; error != 0 && i < named; ++i) std::remove(all[i]->path_.c_str());
+  }
   if (error != 0) cannot_write(all[named]->path_, std::strerror(error));
 }
 
