@@ -111,6 +111,9 @@ using Word = uint64_t;
 using Word = uint32_t;
 #endif
 
+// Bits of the widest word that kernels on one-bit cells may take: desktop processors have kernels on vectors (ports/desktop).
+constexpr uint16_t kWidestWord = sizeof(Word) == 8 ? 256 : 8 * sizeof(Word);
+
 // Where the stack is a few hundred bytes, larger work space comes from the caller's memory.
 constexpr bool kSmallStack = sizeof(Word) == 1;
 

@@ -57,7 +57,7 @@ struct Reach {
   uint16_t table;          // int32 numbers a solver keeps for its kernels (Rows::table)
   uint16_t spread;         // how far, in cells of this grid, one step carries what a cell holds
   uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
-  uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
+  uint8_t bytes = 0;         // of scratch for each of kept_cells (sweep.hpp), for kernels that keep more than rows
   uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
   uint8_t kept = 0;          // planes the solver keeps behind the model's own
   uint8_t once = 0;          // sweeps more in the first step of a stage

@@ -63,7 +63,7 @@ static Picture picture_of(dapple::Texture& texture, const Options& options) {
 }
 
 static void print_hash(const Subject& subject, const Options& options) {
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   grow_tile(tile, subject, options);
   std::printf("%016" PRIx64 "\n", hash_of(tile.texture()));
   finish_standard_output();
@@ -74,7 +74,7 @@ void grow(const Options& options) {
   set_steps(subject, options);
   if (options.hash) return print_hash(subject, options);
   const Target target = target_of(options, subject.name);
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   Picture picture = picture_of(tile.texture(), options);
   picture.name = subject.name;
   const std::string place = options.at ? ", at " + place_text(*options.at) + " of the plane" : "";

@@ -201,8 +201,8 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},
-    {"--kernels", "KERNELS", in_grow, "portable, best; never changes the bytes (best)",
-     [](Options&, const std::string& v) { choice("--kernels", v, "portable|best"); }},
+    {"--kernels", "KERNELS", in_grow, "portable, best, or those of an instruction set; never changes the bytes (best)",
+     [](Options& o, const std::string& v) { o.kernels = kernels_named(v); }},
     {"--hash", nullptr, in_grow, "print the hash of the field, 16 hexadecimal digits, and write nothing",
      [](Options& o, const std::string&) { o.hash = true; }},
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image.hpp"
+#include "kernels.hpp"
 #include "map_image.hpp"
 
 namespace cli {
@@ -38,6 +39,7 @@ struct Options {
   bool repeat = false;            // --repeat was given
   uint32_t budget = 1024;         // rows
   uint8_t bands = 1;
+  Kernels kernels = best_kernels();
   uint32_t frames = 0;            // of stream; 0: not given
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style

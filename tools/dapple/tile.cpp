@@ -29,7 +29,7 @@ void Progress::show(const std::string& name, uint64_t done, uint64_t all) {
   std::fflush(stderr);
 }
 
-Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands)
+Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands, Kernels kernels)
     : name_(subject.name), recipe_(subject.recipe) {
   const dapple::Need need = need_of(subject, domain, bands);
   rows_ = dapple::api::ground_of(domain, need).height;
@@ -37,6 +37,7 @@ Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t
   if (memory_ == nullptr) fail("not enough memory: " + name_ + " needs " + std::to_string(need.bytes) + " bytes");
   dapple::Options options;
   options.bands = bands;
+  options.kernels = kernels;
   texture_.begin(recipe_, domain, seed, memory_.get(), need.bytes, options);  // need_of has checked everything
 }
 

@@ -27,7 +27,8 @@ class Progress {
 
 class Tile {
  public:
-  Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands = 1);
+  Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands = 1,
+       Kernels kernels = best_kernels());
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
