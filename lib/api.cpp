@@ -30,7 +30,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
   const Domain grown = api::with_edge(domain);
   const evolve::Setup setup = {plan,           grown, api::ground_of(domain, wanted), parts, base::aligned4(memory),
-                               options.kernels, seed,  options.bands};
+                               options.kernels, seed,  options.bands, options.driver};
   lay_out(setup, stored, domain);
   if (wanted.block == 0) {
     evolve::begin(run_, setup);

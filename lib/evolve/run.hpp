@@ -45,6 +45,16 @@ struct Plan {
   bool rom;
 };
 
+struct Run;
+
+// Somebody who does the sweeps of whole steps in another way than one row after the other: on threads, several sweeps at a
+// time (ports/desktop). Same bytes.
+struct Driver {
+  // A whole step, if that is at most `rows` rows of work: takes its sweeps (take_sweep) and does them. Returns the rows of
+  // work done; 0: the step is left as it was, to be done row by row.
+  uint32_t (*step)(Driver& driver, Run& run, uint32_t rows);
+};
+
 enum class Phase : uint8_t { starting, refining, sweeping, done };
 
 struct Run {
@@ -53,6 +63,7 @@ struct Run {
   Model model;
   Solver solver;
   const grid::KernelSwap* kernels;
+  Driver* driver;
   Domain domain;
   Ground ground;
   uint16_t spent;   // cells of the halo, finest grid, that the sweeps so far have used up
@@ -133,8 +144,12 @@ struct Setup {
   const grid::KernelSwap* kernels;
   uint32_t seed;
   uint8_t bands;
+  Driver* driver = nullptr;
 };
 void begin(Run& run, const Setup& setup);
+
+// The next sweep of the step at hand, into run.sweep; false, with run.sweep.row null, when the step is complete.
+bool take_sweep(Run& run);
 
 // At most `rows` rows of work; false when nothing is left to do.
 bool advance(Run& run, uint32_t rows);

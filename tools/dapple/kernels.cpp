@@ -5,6 +5,7 @@
 #include "errors.hpp"
 
 #ifdef DAPPLE_HAS_DESKTOP
+#include "driver.hpp"
 #include "tables.hpp"
 #endif
 
@@ -25,6 +26,7 @@ Kernels kernels_named(const std::string& name) {
   refuse("--kernels " + shown(name) + ": give one of " + listed(names) +
          (table != nullptr ? "; this processor does not have the others" : ""));
 }
+std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads) { return std::make_shared<Driver>(threads); }
 #else
 Kernels best_kernels() { return nullptr; }
 
@@ -32,6 +34,8 @@ Kernels kernels_named(const std::string& name) {
   if (name == "best" || name == "portable") return nullptr;
   refuse("--kernels " + shown(name) + ": give one of " + listed({"best", "portable"}));
 }
+
+std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t) { return nullptr; }
 #endif
 
 }  // namespace cli

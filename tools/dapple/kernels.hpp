@@ -1,10 +1,12 @@
-// Which row kernels grow a texture: a table of ports/desktop, picked when the program runs. It never changes a byte.
+// Which row kernels grow a texture, a table of ports/desktop picked when the program runs, and on how many threads. Neither
+// changes a byte.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "../../lib/grid/rows.hpp"
+#include "../../lib/evolve/run.hpp"
 
 namespace cli {
 
@@ -15,5 +17,8 @@ Kernels best_kernels();
 
 // "best", "portable" or the name of a table; refuses what is not there.
 Kernels kernels_named(const std::string& name);
+
+// Null where there are no threads: bands are done one after the other.
+std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads);
 
 }  // namespace cli

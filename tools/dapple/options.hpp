@@ -37,7 +37,7 @@ struct Options {
   std::optional<dapple::Ramp> ramp;
   uint16_t across = 1, down = 1;  // how often the tile is repeated
   bool repeat = false;            // --repeat was given
-  uint32_t budget = 1024;         // rows
+  uint32_t budget = 0;            // rows; 0: not given
   uint8_t bands = 1;
   Kernels kernels = best_kernels();
   uint32_t frames = 0;            // of stream; 0: not given

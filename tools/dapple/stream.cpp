@@ -216,7 +216,7 @@ void print(const Options& options, const Subject& subject, World& world, Camera&
   for (uint32_t frame = 1; frame <= frames; ++frame) {
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(options.budget) == dapple::more) {
+    while (world.chunks().step(options.budget == 0 ? 1024 : options.budget) == dapple::more) {
     }
     const std::string line = caption(subject, world.chunks(), camera.place(), frame, view.width, "");
     std::fputs((world.text("\n") + line + "\n").c_str(), stdout);

@@ -32,7 +32,7 @@ class Tile {
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
-  // To the end, `budget` rows at a time.
+  // To the end, `budget` rows at a time; 0: a step or so at a time.
   void grow(uint32_t budget, Progress& progress);
   // Until exactly `steps` steps are done in all.
   void grow_steps(uint32_t steps, Progress& progress);
@@ -42,6 +42,7 @@ class Tile {
  private:
   std::string name_;
   dapple::Recipe recipe_;
+  std::shared_ptr<dapple::evolve::Driver> driver_;
   uint16_t rows_;  // that are grown: the tile's, or the window's with its halo
   std::unique_ptr<uint8_t[]> memory_;
   dapple::Texture texture_;
