@@ -161,6 +161,8 @@ constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t
   return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
+// Its sweep: part[0] the stencil, part[1] the reaction; table: three numbers of the stencil for each plane.
+void narrow_row(const grid::Rows& rows);
 inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next, nullptr, nullptr, nullptr, Sharing::state, 16};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "../../lib/model/cells.hpp"
 #include "../../lib/stencil/lattice.hpp"
 
 namespace dapple::desktop {
 
 constexpr uint32_t kSmallSweep = 4096;  // bytes; below, bands are done one after the other
+constexpr uint32_t kStepsAtOnce = 32;
 
 Driver::Driver(unsigned threads)
     : evolve::Driver{[](evolve::Driver& driver, evolve::Run& run, uint32_t rows) {
@@ -26,6 +28,18 @@ size_t Driver::passes_from(const evolve::Run& run, size_t at) const {
   return at;
 }
 
+static void chain_alone(const evolve::Run& run, const evolve::Sweep& sweep, uint8_t* scratch) {
+  grid::Rows call{};
+  call.p = sweep.p;
+  call.scratch = scratch;
+  call.n = run.field.width;
+  call.planes = 1;
+  for (uint32_t y = 0; y < run.field.height; ++y) {
+    call.out[0] = evolve::row_of(run.field, sweep.first, static_cast<uint16_t>(y));
+    sweep.row(call);
+  }
+}
+
 void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
   planes_.clear();
   for (size_t i = from; i < to; ++i) {
@@ -40,7 +54,9 @@ void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
     uint8_t* const scratch = run.field.scratch + hand * run.field.band_bytes;
     for (size_t i = next++; i < planes_.size(); i = next++) {
       const evolve::Sweep* const sweep = &sweeps_[planes_[i].first];
-      fused_[hand].run(run.field, sweep, planes_[i].second - planes_[i].first, sweep->row == chain, scratch);
+      const size_t count = planes_[i].second - planes_[i].first;
+      if (count == 1 && sweep->row == chain) chain_alone(run, *sweep, scratch);
+      else fused_[hand].run(run.field, {sweep, count, sweep->row == chain, true, run.table, scratch});
     }
   });
 }
@@ -61,9 +77,29 @@ void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   });
 }
 
+// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before: as many as the stage has
+// left and the rows allow.
+static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
+  if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
+  return run.solver.next == &evolve::kinetic_next || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
+}
+
+uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
+  const uint32_t steps = std::min({run.stage.steps - run.step, rows / run.field.height, kStepsAtOnce});
+  sweeps_.clear();
+  while (sweeps_.size() < steps && evolve::take_sweep(run)) {
+    sweeps_.push_back(run.sweep);
+    evolve::take_sweep(run);  // the step is complete
+  }
+  const bool bits = run.field.cell == grid::Cell::bit;
+  fused_[0].run(run.field, {sweeps_.data(), sweeps_.size(), false, bits, run.table, run.field.scratch});
+  return static_cast<uint32_t>(sweeps_.size()) * run.field.height;
+}
+
 uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
   const evolve::Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level);
   if (rows / run.field.height < static_cast<uint32_t>(reach.sweeps) + reach.once) return 0;
+  if (crew_.size() == 1 && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);
   sweeps_.clear();
   uint32_t done = 0;
   while (evolve::take_sweep(run)) {

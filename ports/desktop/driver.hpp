@@ -19,6 +19,7 @@ class Driver : public evolve::Driver {
 
  private:
   uint32_t whole_step(evolve::Run& run, uint32_t rows);
+  uint32_t many_steps(evolve::Run& run, uint32_t rows);
   size_t passes_from(const evolve::Run& run, size_t at) const;
   void by_plane(const evolve::Run& run, size_t from, size_t to);
   void by_bands(const evolve::Run& run, const evolve::Sweep& sweep);

@@ -7,6 +7,7 @@
   ROW(set, stencil, chain_row, chain_row)                      \
   ROW(set, stencil, five_row, five_row)                        \
   ROW(set, stencil, nine_row, nine_row)                        \
+  ROW(set, evolve, narrow_row, kinetic_row)                    \
   ROW(set, stencil, flux_row, flux_row)                        \
   ROW(set, stencil, flux_chain_row, flux_chain_row)            \
   ROW(set, stencil, keep_map_row, keep_map_row)                \

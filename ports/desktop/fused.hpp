@@ -1,4 +1,4 @@
-// The passes of one plane, several at a time while their rows are in cache.
+// Several sweeps at a time while their rows are in cache: the passes of one plane, or steps of a model on all its planes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -8,17 +8,26 @@
 
 namespace dapple::desktop {
 
-// Passes go from one padded copy of the plane to another and back: pass k does row y once pass k - 1 has done all rows around
-// it, so the rows between the first pass at work and the last are all that moves through the cache. On a torus pass k begins
-// as many rows behind pass k - 1 as either of them reaches, and goes round; no row is written before the pass that reads
-// it last is beyond it. Rows come from the plane, after the chain along x if there is one, and go back to it.
+// Sweeps go from one padded copy of the planes to another and back: sweep k does row y once sweep k - 1 has done all rows
+// around it, so the rows between the first sweep at work and the last are all that moves through the cache. On a torus sweep
+// k begins as many rows behind sweep k - 1 as either of them reaches, and goes round; no row is written before the sweep that
+// reads it last is beyond it. Rows come from the planes, after a chain along x if there is one, and go back to them.
 class Fused {
  public:
-  // All sweeps are passes (a chain may come first) over the one plane `sweep[0].first`; scratch: that of a band.
-  void run(const evolve::Field& field, const evolve::Sweep* sweep, size_t count, bool chain, uint8_t* scratch);
+  // All sweeps are over the same planes and leave no margin; the first may be a chain. Their kernels ask for nothing of Rows but
+  // rows, numbers, parts and the scratch of a band, and those whose `rows` is set not even for that.
+  struct Work {
+    const evolve::Sweep* sweep;
+    size_t count;
+    bool chain;  // the first one is
+    bool rows;   // kernels may be given several rows as one, with what lies between them
+    const int32_t* table;
+    uint8_t* scratch;
+  };
+  void run(const evolve::Field& field, const Work& work);
 
-  // Whether rows are enough for the passes to go round.
-  static bool fits(const evolve::Field& field, const evolve::Sweep& pass) { return 4u * pass.stride <= field.height; }
+  // Whether there are rows enough for the sweep to go round.
+  static bool fits(const evolve::Field& field, const evolve::Sweep& s) { return 4u * s.stride * s.radius <= field.height; }
 
  private:
   struct Stage {
@@ -28,17 +37,17 @@ class Fused {
     uint32_t lag;    // rows that the stage before has to be ahead, beyond the row at hand
   };
 
-  void load(const evolve::Field& field, uint8_t plane, const evolve::Sweep* chain, uint8_t* scratch, uint32_t rows);
-  void pass(const evolve::Field& field, uint8_t plane, size_t k);
-  void flow(const evolve::Field& field, uint8_t plane, const evolve::Sweep* chain, uint8_t* scratch);
-  uint8_t* row(size_t buffer, uint32_t y) { return buffer_[buffer & 1] + size_t{y} * pitch_; }
+  void lay_out(const evolve::Field& field, const Work& work);
+  void load(const evolve::Field& field, const Work& work, bool chain, uint32_t rows);
+  void do_stage(const evolve::Field& field, const Work& work, size_t k);
+  void flow(const evolve::Field& field, const Work& work, bool chain);
+  uint8_t* row(size_t buffer, uint8_t plane, uint32_t y) const { return buffer_[buffer & 1] + plane * plane_ + size_t{y} * pitch_; }
 
   std::vector<Stage> stages_;
   std::unique_ptr<uint8_t[]> memory_;
-  uint8_t* buffer_[2];  // row 0, cell 0
-  size_t bytes_ = 0, pitch_ = 0;
+  uint8_t* buffer_[2];  // plane 0, row 0, cell 0
+  size_t bytes_ = 0, pitch_ = 0, plane_ = 0;
   uint32_t loaded_ = 0;
-  uint16_t halo_ = 0;
 };
 
 }  // namespace dapple::desktop

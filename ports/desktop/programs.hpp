@@ -9,13 +9,13 @@ using stencil::Lanes;
 using stencil::load_lanes;
 
 // The coefficients of a program, bit 16 left + 8 right + 4 upper + 2 lower + self, each spread over a word.
-static void coefficients_of(uint32_t program, uint64_t* k) {
+static void coefficients_of(uint32_t program, Lanes* k) {
   constexpr uint32_t with[5] = {0xaaaaaaaau, 0xccccccccu, 0xf0f0f0f0u, 0xff00ff00u, 0xffff0000u};
   for (uint8_t i = 0; i < 5; ++i) program ^= (program << (1u << i)) & with[i];
-  for (uint8_t i = 0; i < 32; ++i) k[i] = UINT64_C(0) - ((program >> i) & 1);
+  for (uint8_t i = 0; i < 32; ++i) k[i] = Lanes{} - ((program >> i) & UINT64_C(1));
 }
 
-static inline Lanes evaluated(const uint64_t* k, Lanes self, Lanes lower, Lanes upper, Lanes right, Lanes left) {
+static inline Lanes evaluated(const Lanes* k, Lanes self, Lanes lower, Lanes upper, Lanes right, Lanes left) {
   Lanes f[8];
   for (uint8_t i = 0; i < 8; ++i) {
     const Lanes without = k[4 * i] ^ (self & k[4 * i + 1]), with = k[4 * i + 2] ^ (self & k[4 * i + 3]);
@@ -27,7 +27,7 @@ static inline Lanes evaluated(const uint64_t* k, Lanes self, Lanes lower, Lanes 
 }
 
 static void window_wide(const grid::Rows& rows) {
-  uint64_t k[32];
+  Lanes k[32];
   coefficients_of(static_cast<uint32_t>(rows.p[0]), k);
   const uint8_t* u = static_cast<const uint8_t*>(rows.in[0]);
   const uint8_t* c = static_cast<const uint8_t*>(rows.in[1]);

@@ -20,10 +20,20 @@
 #include "../../lib/stencil/sliced.cpp"
 #include "../../lib/stencil/steer.cpp"
 
-#include "bits.hpp"
-#include "programs.hpp"
+#include "../../lib/evolve/euler.cpp"
 
 #include "exports.hpp"
+
+#define DECLARED(set, space, portable, own) extern "C" void dapple_##set##_##space##_##portable(const dapple::grid::Rows& rows);
+DAPPLE_ROWS(DECLARED, DAPPLE_SET)
+
+// This set's kernel for a portable one: namespace and name.
+#define DAPPLE_NAMED(set, kernel) dapple_##set##_##kernel
+#define DAPPLE_OURS(set, kernel) DAPPLE_NAMED(set, kernel)
+
+#include "bits.hpp"
+#include "kinetics.hpp"
+#include "programs.hpp"
 
 #define EXPORTED(set, space, portable, own) \
   extern "C" void dapple_##set##_##space##_##portable(const dapple::grid::Rows& rows) { dapple::space::own(rows); }
