@@ -12,6 +12,7 @@ void sheet(const Options& options);
 void rule(const Options& options);
 void stream(const Options& options);
 void tiles(const Options& options);
+void bench(const Options& options);
 
 // Text as a JSON string.
 std::string json_text(const std::string& text);

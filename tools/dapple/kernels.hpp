@@ -18,6 +18,9 @@ Kernels best_kernels();
 // "best", "portable" or the name of a table; refuses what is not there.
 Kernels kernels_named(const std::string& name);
 
+// The tables this processor can run, the portable one first.
+std::vector<std::string> kernel_names();
+
 // Null where there are no threads: bands are done one after the other.
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads);
 

@@ -29,6 +29,7 @@ const CommandEntry kCommands[] = {
     {"rule", static_cast<Command>(in_rule | in_grow), rule, 0, "N|random [settle|score|complete] [options]",
      "grow a cell program, ask about it, or find some"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
+    {"bench", in_bench, bench, 0, "[NAME ...] [options]", "cells a second by every kernel table, of what this machine can do"},
     {"tiles", in_tiles, tiles, 0, "NAME|RECIPE [key=value ...] [options]", "corner tiles, which lay an endless floor"},
 };
 

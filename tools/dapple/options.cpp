@@ -156,7 +156,9 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) { o.count = number("--count", v, 1, 1000); }},
     {"--json", nullptr, in_rule, "of settle, score, complete and random: the answer as JSON",
      [](Options& o, const std::string&) { o.json = true; }},
-    {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
+    {"--markdown", nullptr, in_bench, "as a page: also how long every preset takes",
+     [](Options& o, const std::string&) { o.markdown = true; }},
+    {"--json", nullptr, in_list | in_info | in_bench, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
     {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
      read_size},
     {"--at", "X,Y", in_grow | in_info, "a window of the endless plane, its left upper pixel at X,Y, instead of a tile",
@@ -232,7 +234,7 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
-  } else if ((command & in_sheet) != 0 && !word.empty()) {
+  } else if ((command & (in_sheet | in_bench)) != 0 && !word.empty()) {
     options.wanted.push_back(word);
   } else if (subject && is_change(word)) {
     options.changes.push_back(word);

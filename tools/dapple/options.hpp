@@ -11,7 +11,7 @@
 
 namespace cli {
 
-enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64 };
+enum Command : unsigned { in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64, in_bench = 128 };
 constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles;  // NAME|RECIPE [key=value ...]
 
 constexpr uint16_t kLargestSheetTile = 8191;  // of tiles: the preview has eight, and at most 65535 pixels
@@ -24,7 +24,7 @@ struct Place {
 struct Options {
   std::string subject;               // NAME or RECIPE
   std::vector<std::string> changes;  // key=value
-  std::vector<std::string> wanted;   // of sheet: presets and recipes; none: all presets
+  std::vector<std::string> wanted;   // of sheet: presets and recipes; of bench: parts of names; none: all
   uint16_t width = 256, height = 256;
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
@@ -45,7 +45,7 @@ struct Options {
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;
   bool map = false, rle = false, text = false;
-  bool dither = false, flip_y = false, hash = false, json = false;
+  bool dither = false, flip_y = false, hash = false, json = false, markdown = false;
 };
 
 // Reads the words behind the command's name into `options`, which hold the command's defaults.
