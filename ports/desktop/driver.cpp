@@ -77,11 +77,12 @@ void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   });
 }
 
-// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before: as many as the stage has
-// left and the rows allow.
+// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row from its
+// window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
 static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
   if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
-  return run.solver.next == &evolve::kinetic_next || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
+  const bool kinetic = run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
+  return kinetic || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
 }
 
 uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {

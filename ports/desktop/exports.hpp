@@ -13,8 +13,8 @@
   ROW(set, stencil, keep_map_row, keep_map_row)                \
   ROW(set, stencil, convolve_row, convolve_wide)               \
   ROW(set, stencil, field_row, field_wide)                     \
-  ROW(set, stencil, steer_row, steer_row)                      \
-  ROW(set, stencil, steer_field, steer_field)                  \
+  ROW(set, stencil, steer_row, steer_wide)                     \
+  ROW(set, stencil, steer_field, steer_field_wide)             \
   ROW(set, threshold, impulse_row, impulse_row)                \
   ROW(set, threshold, decided_row, decided_row)                \
   ROW(set, threshold, given_row, given_row)                    \

@@ -8,7 +8,7 @@
 namespace dapple::desktop {
 
 constexpr size_t kCache = 192 * 1024;  // bytes that may be on the move at a time
-constexpr size_t kVector = 32;
+constexpr size_t kVector = 32, kGroup = 16;
 constexpr size_t kBeyond = 64;         // kernels read beyond a row
 constexpr uint32_t kRowsAtOnce = 8;
 
@@ -18,8 +18,9 @@ static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector 
 void Fused::lay_out(const evolve::Field& field, const Work& work) {
   uint16_t halo = 0;
   for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
-  const size_t before = rounded_up(grid::halo_bytes(field.cell, halo) + 1);
-  const size_t row = field.row_bytes + 2 * grid::halo_bytes(field.cell, halo);
+  const size_t halo_bytes = (grid::halo_bytes(field.cell, halo) + kGroup - 1) / kGroup * kGroup;
+  const size_t before = rounded_up(halo_bytes + 1);
+  const size_t row = field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
   pitch_ = row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row);  // short rows: rather no gaps than aligned
   plane_ = pitch_ * field.height;
   const size_t buffer = before + plane_ * work.sweep[0].count + kBeyond, wanted = 2 * rounded_up(buffer) + kVector;
@@ -30,6 +31,23 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   }
   buffer_[0] = memory_.get() + (-reinterpret_cast<uintptr_t>(memory_.get()) & (kVector - 1)) + before;
   buffer_[1] = buffer_[0] + rounded_up(buffer);
+}
+
+// Rows from y on that a kernel may be given at once: they, and those around them, do not go round the torus.
+static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, uint32_t reach) {
+  const uint32_t height = field.height, before = (y + height - reach) % height, behind = (y + reach) % height;
+  const uint32_t cells = static_cast<uint32_t>(field.cell == grid::Cell::bit ? pitch * 8 : pitch / 2);
+  return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
+}
+
+// The halos of a row of int16, in groups of eight cells: there is room for them.
+static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
+  if (field.cell != grid::Cell::int16 || field.width < halo + 8u) return grid::wrap_row(field.cell, row, field.width, halo);
+  uint8_t* const end = row + size_t{2} * field.width;
+  for (size_t at = 0; at < size_t{2} * halo; at += kGroup) {
+    std::memcpy(end + at, row + at, kGroup);
+    std::memcpy(row - kGroup - at, end - kGroup - at, kGroup);
+  }
 }
 
 void Fused::load(const evolve::Field& field, const Work& work, bool chain, uint32_t rows) {
@@ -43,16 +61,10 @@ void Fused::load(const evolve::Field& field, const Work& work, bool chain, uint3
     for (uint8_t i = 0; i < work.sweep[0].count; ++i) {
       call.out[0] = evolve::row_of(field, static_cast<uint8_t>(work.sweep[0].first + i), call.y);
       if (chain) work.sweep[0].row(call);
-      grid::copy_row(field.cell, row(0, i, loaded_), call.out[0], field.width, stages_[0].sweep->halo);
+      std::memcpy(row(0, i, loaded_), call.out[0], field.row_bytes);
+      wrap(field, row(0, i, loaded_), stages_[0].sweep->halo);
     }
   }
-}
-
-// Rows from y on that a kernel may be given at once: they, and those around them, do not go round the torus.
-static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, uint32_t reach) {
-  const uint32_t height = field.height, before = (y + height - reach) % height, behind = (y + reach) % height;
-  const uint32_t cells = static_cast<uint32_t>(field.cell == grid::Cell::bit ? pitch * 8 : pitch / 2);
-  return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
 }
 
 // Row after row of stage k, as many as the stage before allows.
@@ -83,7 +95,7 @@ void Fused::do_stage(const evolve::Field& field, const Work& work, size_t k) {
     call.y = static_cast<uint16_t>(y);
     sweep.row(call);
     for (uint8_t i = 0; i < sweep.count && halo > 0; ++i)
-      for (uint32_t j = 0; j < count; ++j) grid::wrap_row(field.cell, row(k + 1, i, y + j), field.width, halo);
+      for (uint32_t j = 0; j < count; ++j) wrap(field, row(k + 1, i, y + j), halo);
   }
 }
 

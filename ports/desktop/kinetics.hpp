@@ -35,10 +35,14 @@ static void gray_scott_cells(const i16* DAPPLE_RESTRICT uu, const i16* DAPPLE_RE
   }
 }
 
-// The old rows come from the window, so the new ones may be written in the planes' own.
+// The old rows come from the window; what the new ones are written to need not hold the old ones, as it must for narrow_row.
 static void kinetic_row(const grid::Rows& rows) {
   const grid::RowKernel five = DAPPLE_OURS(DAPPLE_SET, stencil_five_row), react = DAPPLE_OURS(DAPPLE_SET, gray_scott_react_row);
-  if (rows.part[0] != five || rows.part[1] != react) return narrow_row(rows);
+  if (rows.part[0] != five || rows.part[1] != react) {
+    for (uint8_t i = 0; i < rows.planes; ++i)
+      base::copy_bytes(rows.out[i], rows.in[3 * i + 1], size_t{2} * rows.n);
+    return narrow_row(rows);
+  }
   const i16 *u = grid::in16(rows, 1), *v = grid::in16(rows, 4);
   gray_scott_cells(grid::in16(rows, 0), u - 1, u, u + 1, grid::in16(rows, 2), grid::in16(rows, 3), v - 1, v, v + 1,
                    grid::in16(rows, 5), grid::out16(rows, 0), grid::out16(rows, 1), rows.n, rates_of(rows));

@@ -34,6 +34,7 @@ DAPPLE_ROWS(DECLARED, DAPPLE_SET)
 #include "bits.hpp"
 #include "kinetics.hpp"
 #include "programs.hpp"
+#include "steered.hpp"
 
 #define EXPORTED(set, space, portable, own) \
   extern "C" void dapple_##set##_##space##_##portable(const dapple::grid::Rows& rows) { dapple::space::own(rows); }

@@ -59,6 +59,26 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
   }
 }
 
+TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
+  desktop::Driver driver(1);
+  for (const char* text : {"gray-scott feed=0.0367 kill=0.0649 steps=70", "cells rule=0xB5A3C96E steps=70", "bits level=0 steps=7"}) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    for (const tests::Size size : {tests::Size{200, 96}, tests::Size{131, 77}, tests::Size{2000, 80}}) {
+      const dapple::Domain domain = dapple::torus(size.width, size.height);
+      CAPTURE(std::string(text));
+      CAPTURE(size.width);
+      const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
+        if (!desktop::table_at(i).runs()) continue;
+        dapple::Options options;
+        options.kernels = desktop::table_at(i).kernels;
+        options.driver = &driver;
+        for (const uint32_t budget : {UINT32_MAX, 1000u, 50u}) CHECK(hash_of(recipe, domain, options, budget) == want);
+      }
+    }
+  }
+}
+
 TEST_CASE("driver: a step that does not fit the budget is done row by row, and progress counts alike") {
   desktop::Driver driver(2);
   dapple::Options options;
