@@ -130,7 +130,11 @@ DAPPLE_APART void Texture::colour(const Brush& brush, const paint::Source& sourc
   const Paint paint = paint_ != nullptr ? *paint_ : rom_ ? base::rom_load(&recipe_->paint) : recipe_->paint;
   paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
   if (frugal_) shader.slope = 0;
-  paint::paint_row(shader, brush, source, out);
+  if (run_.kernels == nullptr) return paint::paint_row(shader, brush, source, out);
+  const paint::Job job = {&shader, &brush, &source, out};
+  grid::Rows rows;
+  rows.in[0] = &job;
+  grid::choose(run_.kernels, paint::job_row)(rows);
 }
 
 void Texture::paint(uint16_t y, const Brush& brush, void* out) {

@@ -1,7 +1,7 @@
 // From rows of the field to rows of pixels: ramp, slope light, gloss, grain; views; pixel formats; ordered dither.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "../base/fixed.hpp"
+#include "../grid/rows.hpp"
 
 namespace dapple {
 
@@ -111,6 +111,15 @@ void pack(const Brush& brush, const Source& source, const uint8_t* rgb, uint16_t
 
 // A whole row.
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row);
+
+// The same as a row kernel, for ports that have a faster one: in[0] is a Job.
+struct Job {
+  const Shader* shader;
+  const Brush* brush;
+  const Source* source;
+  uint8_t* row;
+};
+void job_row(const grid::Rows& rows);
 
 }  // namespace dapple::paint
 

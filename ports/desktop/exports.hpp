@@ -22,5 +22,6 @@
   ROW(set, threshold, impulse_styled_row, impulse_styled_row)  \
   ROW(set, threshold, react_row, react_row)                    \
   ROW(set, gray_scott, react_row, react_row)                   \
+  ROW(set, paint, job_row, painted_row)                        \
   ROW(set, cells, window_row, window_wide)                     \
   ROW(set, cells, field_row, field_row)

@@ -11,6 +11,8 @@
 #include "../../lib/model/cells.cpp"
 #include "../../lib/model/gray_scott.cpp"
 #include "../../lib/model/threshold.cpp"
+#include "../../lib/paint/pack.cpp"
+#include "../../lib/paint/shade.cpp"
 #include "../../lib/stencil/convolve.cpp"
 #include "../../lib/stencil/directions.cpp"
 #include "../../lib/stencil/flux.cpp"
@@ -33,6 +35,8 @@ DAPPLE_ROWS(DECLARED, DAPPLE_SET)
 
 #include "bits.hpp"
 #include "kinetics.hpp"
+#include "roots.hpp"
+#include "painted.hpp"
 #include "programs.hpp"
 #include "steered.hpp"
 

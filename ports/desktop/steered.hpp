@@ -7,24 +7,12 @@ namespace dapple::stencil {
 
 constexpr uint16_t kCellsAtOnce = 8 * DAPPLE_WIDE;
 
-// inverse_root's table as words, for loops.
-static int32_t root_entry(int32_t i) { return base::kInverseRoots.entry[i]; }
-
 // Unit vectors along (a, b), Q12, as to_q7 of unit_of.
 static void units_of(const int32_t* DAPPLE_RESTRICT a, const int32_t* DAPPLE_RESTRICT b, int16_t* DAPPLE_RESTRICT c2,
                      int16_t* DAPPLE_RESTRICT s2, uint16_t n) {
-  int32_t over[kCellsAtOnce], shift[kCellsAtOnce], inverse[kCellsAtOnce];
-  for (uint16_t i = 0; i < n; ++i) {
-    const int32_t square = a[i] * a[i] + b[i] * b[i];
-    const int32_t twos = (square >= (1 << 18)) + (square >= (1 << 20)) + (square >= (1 << 22)) + (square >= (1 << 24)) + (square >= (1 << 26));
-    shift[i] = twos;
-    over[i] = (square >> (2 * twos)) - 65536;
-  }
-  for (uint16_t i = 0; i < n; ++i) {
-    const int32_t place = over[i] < 0 ? 0 : over[i] >> 12;
-    const int32_t entry = root_entry(place), next = root_entry(place + 1);
-    inverse[i] = over[i] < 0 ? 65535 : (entry - (((entry - next) * (over[i] & 4095)) >> 12)) >> shift[i];
-  }
+  int32_t square[kCellsAtOnce], inverse[kCellsAtOnce];
+  for (uint16_t i = 0; i < n; ++i) square[i] = a[i] * a[i] + b[i] * b[i];
+  base::inverse_roots(square, inverse, n);
   for (uint16_t i = 0; i < n; ++i) {
     c2[i] = static_cast<int16_t>(base::clamp((a[i] * inverse[i] + 65536) >> 17, -127, 127));
     s2[i] = static_cast<int16_t>(base::clamp((b[i] * inverse[i] + 65536) >> 17, -127, 127));

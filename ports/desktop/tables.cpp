@@ -8,6 +8,7 @@
 #include "../../lib/model/cells.hpp"
 #include "../../lib/model/gray_scott.hpp"
 #include "../../lib/model/threshold.hpp"
+#include "../../lib/paint/paint.hpp"
 #include "../../lib/stencil/flux.hpp"
 #include "../../lib/stencil/laplacian.hpp"
 #include "../../lib/stencil/steer.hpp"
