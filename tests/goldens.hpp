@@ -23,7 +23,8 @@ inline std::vector<Golden> read_goldens() {
   std::ifstream in(DAPPLE_GOLDEN_DIR "/presets.txt");
   for (std::string line; std::getline(in, line);) {
     Golden g{};
-    const int read = std::sscanf(line.c_str(), "%63s %ux%u %u %" SCNx64 " %" SCNx64, g.name, &g.width, &g.height, &g.seed, &g.field, &g.pixels);
+    const int read = std::sscanf(line.c_str(), "%63s %ux%u %u %" SCNx64 " %" SCNx64, g.name, &g.width, &g.height,
+                                 &g.seed, &g.field, &g.pixels);
     REQUIRE_MESSAGE(read == 6, "broken golden line: " << line);
     all.push_back(g);
   }

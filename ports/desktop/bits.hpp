@@ -32,7 +32,8 @@ static void field_wide(const grid::Rows& rows) {
   const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
     Wide copies[kCells], most[kSumBits] = {}, least[kSumBits] = {}, cells = 0;
-    for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
+    for (uint8_t k = 0; k < side; ++k)
+      shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
     for (uint8_t j = 0; j < job.count; ++j) {
       Wide sum[kSumBits];
       set_number(static_cast<int16_t>(-1), sum);
@@ -42,7 +43,8 @@ static void field_wide(const grid::Rows& rows) {
     if (job.both) add_least(most, least);
     int16_t d[bits];
     store_values(most, job.both, d);
-    scale_values(d, grid::out16(rows, 0) + 8 * at, static_cast<uint16_t>(base::min(bits, static_cast<int32_t>(rows.n - 8 * at))), scale);
+    scale_values(d, grid::out16(rows, 0) + 8 * at,
+                 static_cast<uint16_t>(base::min(bits, static_cast<int32_t>(rows.n - 8 * at))), scale);
   }
 }
 

@@ -4,8 +4,8 @@
 
 namespace dapple::desktop {
 
-// Sweeps follow each other within microseconds: a thread looks so often before it goes to sleep, unless others wait for its
-// processor.
+// Sweeps follow each other within microseconds: a thread looks so often before it goes to sleep, unless others wait for
+// its processor.
 constexpr int kLooks = 1000;
 
 static void breathe() {

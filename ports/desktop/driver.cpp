@@ -16,11 +16,13 @@ Driver::Driver(unsigned threads)
     : evolve::Driver{[](evolve::Driver& driver, evolve::Run& run, uint32_t rows) {
         return static_cast<Driver&>(driver).whole_step(run, rows);
       }},
-      crew_(threads), fused_(threads) {}
+      crew_(threads),
+      fused_(threads) {}
 
 // The first sweep after those from `at` on that are passes over single planes of int16.
 size_t Driver::passes_from(const evolve::Run& run, size_t at) const {
-  const grid::RowKernel pass = grid::choose(run.kernels, stencil::pass_row), chain = grid::choose(run.kernels, stencil::chain_row);
+  const grid::RowKernel pass = grid::choose(run.kernels, stencil::pass_row),
+                        chain = grid::choose(run.kernels, stencil::chain_row);
   for (; at < sweeps_.size(); ++at) {
     const evolve::Sweep& s = sweeps_[at];
     if (s.margin != 0 || (s.row != chain && !(s.row == pass && Fused::fits(run.field, s)))) break;
@@ -63,9 +65,7 @@ void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
 
 void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   evolve::begin_sweep(run.field, sweep, run.band);
-  const auto do_band = [&](uint8_t i) {
-    evolve::run_band(run.field, sweep, run.table, i, run.band[i], UINT32_MAX);
-  };
+  const auto do_band = [&](uint8_t i) { evolve::run_band(run.field, sweep, run.table, i, run.band[i], UINT32_MAX); };
   const size_t bytes = run.field.row_bytes * run.field.height * sweep.count;
   if (crew_.size() == 1 || run.field.bands == 1 || bytes < kSmallSweep) {
     for (uint8_t i = 0; i < run.field.bands; ++i) do_band(i);
@@ -77,11 +77,12 @@ void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   });
 }
 
-// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row from its
-// window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
+// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row
+// from its window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
 static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
   if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
-  const bool kinetic = run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
+  const bool kinetic =
+      run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
   return kinetic || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
 }
 

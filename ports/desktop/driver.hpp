@@ -4,8 +4,8 @@
 //   options.bands = 2;
 //   options.driver = &driver;
 //
-// Sweeps over single planes go by plane, all others by bands, of which a texture has Options::bands. One texture at a time.
-// SPDX-License-Identifier: MIT
+// Sweeps over single planes go by plane, all others by bands, of which a texture has Options::bands. One texture at a
+// time. SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/evolve/run.hpp"
 #include "crew.hpp"
@@ -25,8 +25,8 @@ class Driver : public evolve::Driver {
   void by_bands(const evolve::Run& run, const evolve::Sweep& sweep);
 
   Crew crew_;
-  std::vector<Fused> fused_;            // of each thread
-  std::vector<evolve::Sweep> sweeps_;   // of the step
+  std::vector<Fused> fused_;           // of each thread
+  std::vector<evolve::Sweep> sweeps_;  // of the step
   std::vector<std::pair<size_t, size_t>> planes_;
 };
 

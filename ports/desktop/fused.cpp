@@ -9,7 +9,7 @@ namespace dapple::desktop {
 
 constexpr size_t kCache = 192 * 1024;  // bytes that may be on the move at a time
 constexpr size_t kVector = 32, kGroup = 16;
-constexpr size_t kBeyond = 64;         // kernels read beyond a row
+constexpr size_t kBeyond = 64;  // kernels read beyond a row
 constexpr uint32_t kRowsAtOnce = 8;
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
@@ -20,7 +20,8 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
   const size_t halo_bytes = (grid::halo_bytes(field.cell, halo) + kGroup - 1) / kGroup * kGroup;
   const size_t before = rounded_up(halo_bytes + 1);
-  const size_t row = field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
+  const size_t row =
+      field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
   pitch_ = row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row);  // short rows: rather no gaps than aligned
   plane_ = pitch_ * field.height;
   const size_t buffer = before + plane_ * work.sweep[0].count + kBeyond, wanted = 2 * rounded_up(buffer) + kVector;
@@ -42,7 +43,8 @@ static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, 
 
 // The halos of a row of int16, in groups of eight cells: there is room for them.
 static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
-  if (field.cell != grid::Cell::int16 || field.width < halo + 8u) return grid::wrap_row(field.cell, row, field.width, halo);
+  if (field.cell != grid::Cell::int16 || field.width < halo + 8u)
+    return grid::wrap_row(field.cell, row, field.width, halo);
   uint8_t* const end = row + size_t{2} * field.width;
   for (size_t at = 0; at < size_t{2} * halo; at += kGroup) {
     std::memcpy(end + at, row + at, kGroup);
@@ -89,8 +91,10 @@ void Fused::do_stage(const evolve::Field& field, const Work& work, size_t k) {
     const size_t cells = field.cell == grid::Cell::bit ? pitch_ * 8 : pitch_ / 2;
     call.n = static_cast<uint16_t>((count - 1) * cells + field.width);
     for (uint8_t i = 0; i < sweep.count; ++i) {
-      for (uint32_t j = 0; j < ring; ++j) call.in[i * ring + j] = row(k, i, (y + height - reach + j * sweep.stride) % height);
-      call.out[i] = last ? evolve::row_of(field, static_cast<uint8_t>(sweep.first + i), static_cast<uint16_t>(y)) : row(k + 1, i, y);
+      for (uint32_t j = 0; j < ring; ++j)
+        call.in[i * ring + j] = row(k, i, (y + height - reach + j * sweep.stride) % height);
+      call.out[i] = last ? evolve::row_of(field, static_cast<uint8_t>(sweep.first + i), static_cast<uint16_t>(y))
+                         : row(k + 1, i, y);
     }
     call.y = static_cast<uint16_t>(y);
     sweep.row(call);
@@ -121,7 +125,8 @@ void Fused::run(const evolve::Field& field, const Work& work) {
   for (size_t i = work.chain; i < work.count;) {
     const bool chain = work.chain && i == 1;
     stages_.clear();
-    for (size_t lines = 0; i < work.count && (stages_.empty() || lines * 2 * pitch_ * work.sweep[0].count < kCache); ++i) {
+    for (size_t lines = 0; i < work.count && (stages_.empty() || lines * 2 * pitch_ * work.sweep[0].count < kCache);
+         ++i) {
       lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + kRowsAtOnce;
       stages_.push_back({work.sweep + i, 0, 0, 0});
     }

@@ -1,6 +1,5 @@
-// Gray-Scott in one loop: stencil and reaction of lib/stencil/laplacian.cpp and lib/model/gray_scott.cpp, with no row of sums
-// between them. Whatever else a kinetic step is made of goes the portable way.
-// SPDX-License-Identifier: MIT
+// Gray-Scott in one loop: stencil and reaction of lib/stencil/laplacian.cpp and lib/model/gray_scott.cpp, with no row
+// of sums between them. Whatever else a kinetic step is made of goes the portable way. SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::evolve {
@@ -19,9 +18,10 @@ static Rates rates_of(const grid::Rows& rows) {
 
 // Formats and bounds are those of the two portable kernels.
 static void gray_scott_cells(const i16* DAPPLE_RESTRICT uu, const i16* DAPPLE_RESTRICT ul, const i16* DAPPLE_RESTRICT u,
-                       const i16* DAPPLE_RESTRICT ur, const i16* DAPPLE_RESTRICT ud, const i16* DAPPLE_RESTRICT vu,
-                       const i16* DAPPLE_RESTRICT vl, const i16* DAPPLE_RESTRICT v, const i16* DAPPLE_RESTRICT vr,
-                       const i16* DAPPLE_RESTRICT vd, i16* DAPPLE_RESTRICT out_u, i16* DAPPLE_RESTRICT out_v, uint16_t n, Rates w) {
+                             const i16* DAPPLE_RESTRICT ur, const i16* DAPPLE_RESTRICT ud,
+                             const i16* DAPPLE_RESTRICT vu, const i16* DAPPLE_RESTRICT vl, const i16* DAPPLE_RESTRICT v,
+                             const i16* DAPPLE_RESTRICT vr, const i16* DAPPLE_RESTRICT vd, i16* DAPPLE_RESTRICT out_u,
+                             i16* DAPPLE_RESTRICT out_v, uint16_t n, Rates w) {
   for (uint16_t x = 0; x < n; ++x) {
     const i16 u2 = static_cast<i16>(2 * u[x]), v2 = static_cast<i16>(2 * v[x]);
     const i16 lap_u = static_cast<i16>(mulhi(static_cast<i16>(ul[x] + ur[x] - u2 + w.u_rounding), w.u) +
@@ -30,17 +30,19 @@ static void gray_scott_cells(const i16* DAPPLE_RESTRICT uu, const i16* DAPPLE_RE
                                        mulhi(static_cast<i16>(vu[x] + vd[x] - v2 + w.v_rounding), w.v));
     const i16 q = mulhi(v2, v2);
     const i16 z = mulhi(static_cast<i16>(2 * q + 2), u2);
-    out_u[x] = static_cast<i16>(u[x] + lap_u - z + mulhi(static_cast<i16>(gray_scott::kOne - u[x] + w.feed_rounding), w.feed));
+    out_u[x] =
+        static_cast<i16>(u[x] + lap_u - z + mulhi(static_cast<i16>(gray_scott::kOne - u[x] + w.feed_rounding), w.feed));
     out_v[x] = static_cast<i16>(v[x] + lap_v + z - mulhi(static_cast<i16>(v[x] + w.drain_rounding), w.drain));
   }
 }
 
-// The old rows come from the window; what the new ones are written to need not hold the old ones, as it must for narrow_row.
+// The old rows come from the window; what the new ones are written to need not hold the old ones, as it must for
+// narrow_row.
 static void kinetic_row(const grid::Rows& rows) {
-  const grid::RowKernel five = DAPPLE_OURS(DAPPLE_SET, stencil_five_row), react = DAPPLE_OURS(DAPPLE_SET, gray_scott_react_row);
+  const grid::RowKernel five = DAPPLE_OURS(DAPPLE_SET, stencil_five_row),
+                        react = DAPPLE_OURS(DAPPLE_SET, gray_scott_react_row);
   if (rows.part[0] != five || rows.part[1] != react) {
-    for (uint8_t i = 0; i < rows.planes; ++i)
-      base::copy_bytes(rows.out[i], rows.in[3 * i + 1], size_t{2} * rows.n);
+    for (uint8_t i = 0; i < rows.planes; ++i) base::copy_bytes(rows.out[i], rows.in[3 * i + 1], size_t{2} * rows.n);
     return narrow_row(rows);
   }
   const i16 *u = grid::in16(rows, 1), *v = grid::in16(rows, 4);

@@ -1,5 +1,5 @@
-// Rows of colours, 128 pixels at a time: what lib/paint/shade.cpp and pack.cpp do pixel by pixel, as loops over arrays of words.
-// Same numbers; bounds are told there. Other views than colours, and dithered formats, go the portable way.
+// Rows of colours, 128 pixels at a time: what lib/paint/shade.cpp and pack.cpp do pixel by pixel, as loops over arrays
+// of words. Same numbers; bounds are told there. Other views than colours, and dithered formats, go the portable way.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,8 +13,8 @@ struct Block {
   Words gx, gy;  // the gradient
 };
 
-// The place in the range, 0..4080: over * 4080 / span. (a + 1/2) / b is at least 1 / 2 b away from a whole number, so the
-// product with 1 / b, good to 52 bits, has the same whole part.
+// The place in the range, 0..4080: over * 4080 / span. (a + 1/2) / b is at least 1 / 2 b away from a whole number, so
+// the product with 1 / b, good to 52 bits, has the same whole part.
 static void places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, int32_t* DAPPLE_RESTRICT at) {
   const double inverse = 1.0 / s.span;
   for (uint16_t i = 0; i < kPixels; ++i) {
@@ -26,7 +26,8 @@ static void places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, int32_t
 // One channel of the ramp. Stretch k counts while all stretches up to it begin at or before the place.
 static void ramp_channel(const Shader& s, uint8_t c, const int32_t* DAPPLE_RESTRICT at, int32_t* DAPPLE_RESTRICT out) {
   Words begin, from, step;
-  for (uint16_t i = 0; i < kPixels; ++i) begin[i] = s.stretch[0].at, from[i] = s.stretch[0].base[c], step[i] = s.stretch[0].step[c];
+  for (uint16_t i = 0; i < kPixels; ++i)
+    begin[i] = s.stretch[0].at, from[i] = s.stretch[0].base[c], step[i] = s.stretch[0].step[c];
   Words alive;
   for (uint16_t i = 0; i < kPixels; ++i) alive[i] = -1;
   for (uint8_t k = 1; k < s.stops; ++k) {
@@ -47,7 +48,8 @@ static void ramp_channel(const Shader& s, uint8_t c, const int32_t* DAPPLE_RESTR
 }
 
 // Differences beyond `limit` give a slope that is held anyway: 2^26 >> 16 is beyond it, and the product fits.
-static void slopes(const Shader& s, const int16_t* DAPPLE_RESTRICT a, const int16_t* DAPPLE_RESTRICT b, int32_t* DAPPLE_RESTRICT out) {
+static void slopes(const Shader& s, const int16_t* DAPPLE_RESTRICT a, const int16_t* DAPPLE_RESTRICT b,
+                   int32_t* DAPPLE_RESTRICT out) {
   const int32_t size = s.slope < 0 ? -s.slope : s.slope, limit = base::min(131072, (1 << 26) / size + 2);
   for (uint16_t i = 0; i < kPixels; ++i) {
     const int32_t difference = base::clamp(static_cast<int32_t>(a[i]) - b[i], -limit, limit);

@@ -1,6 +1,5 @@
-// Cell programs a vector at a time, as polynomials over two elements: f = f0 ^ (x & f1) for one cell of the neighbourhood
-// after the other [Reed-Muller], sixty-two operations whatever the program.
-// SPDX-License-Identifier: MIT
+// Cell programs a vector at a time, as polynomials over two elements: f = f0 ^ (x & f1) for one cell of the
+// neighbourhood after the other [Reed-Muller], sixty-two operations whatever the program. SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::cells {
@@ -37,7 +36,8 @@ static void window_wide(const grid::Rows& rows) {
     const Lanes self = load_lanes(c + at);
     const Lanes left = (self << 1) | (stencil::moved_up(self, static_cast<uint64_t>(*(c + at - 1)) << 56) >> 63);
     const Lanes right = (self >> 1) | (stencil::moved_down(self, c[at + sizeof self]) << 63);
-    stencil::store_cells(out, at, rows.n, stencil::Wide(evaluated(k, self, load_lanes(d + at), load_lanes(u + at), right, left)));
+    stencil::store_cells(out, at, rows.n,
+                         stencil::Wide(evaluated(k, self, load_lanes(d + at), load_lanes(u + at), right, left)));
   }
 }
 

@@ -1,8 +1,9 @@
-// The row kernels of lib/ for one instruction set: most are the portable files, compiled once more with that set's options;
-// those on one-bit cells take the widest vectors for their words. CMakeLists.txt compiles this file once a set, with
+// The row kernels of lib/ for one instruction set: most are the portable files, compiled once more with that set's
+// options; those on one-bit cells take the widest vectors for their words. CMakeLists.txt compiles this file once a
+// set, with
 //   -DDAPPLE_SET=NAME -Ddapple=dapple_NAME -DDAPPLE_WIDE=BYTES
-// so that nothing in it, inline functions and templates included, has a name that the rest of the program knows: a linker
-// must never take a function with the wrong instructions. The kernels go out by C names (tables.cpp).
+// so that nothing in it, inline functions and templates included, has a name that the rest of the program knows: a
+// linker must never take a function with the wrong instructions. The kernels go out by C names (tables.cpp).
 // SPDX-License-Identifier: MIT
 #include "wide.hpp"
 
@@ -26,7 +27,8 @@
 
 #include "exports.hpp"
 
-#define DECLARED(set, space, portable, own) extern "C" void dapple_##set##_##space##_##portable(const dapple::grid::Rows& rows);
+#define DECLARED(set, space, portable, own) \
+  extern "C" void dapple_##set##_##space##_##portable(const dapple::grid::Rows& rows);
 DAPPLE_ROWS(DECLARED, DAPPLE_SET)
 
 // This set's kernel for a portable one: namespace and name.

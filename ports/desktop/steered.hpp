@@ -1,6 +1,6 @@
-// Steerable binary convolution a vector of cells at a time: what lib/stencil/steer.cpp and directions.cpp do for one cell after
-// the other, as loops over arrays. Same numbers; bounds and formats are told there.
-// SPDX-License-Identifier: MIT
+// Steerable binary convolution a vector of cells at a time: what lib/stencil/steer.cpp and directions.cpp do for one
+// cell after the other, as loops over arrays. Same numbers; bounds and formats are told there. SPDX-License-Identifier:
+// MIT
 #pragma once
 
 namespace dapple::stencil {
@@ -19,7 +19,8 @@ static void units_of(const int32_t* DAPPLE_RESTRICT a, const int32_t* DAPPLE_RES
   }
 }
 
-static void turns_of(const int32_t* DAPPLE_RESTRICT a, int16_t* DAPPLE_RESTRICT c2, int16_t* DAPPLE_RESTRICT s2, uint16_t n, int16_t bend) {
+static void turns_of(const int32_t* DAPPLE_RESTRICT a, int16_t* DAPPLE_RESTRICT c2, int16_t* DAPPLE_RESTRICT s2,
+                     uint16_t n, int16_t bend) {
   for (uint16_t i = 0; i < n; ++i) {
     const uint16_t turn = static_cast<uint16_t>((a[i] * bend) >> 11);
     c2[i] = static_cast<int16_t>(base::clamp((base::cosine(turn) + 128) >> 8, -127, 127));
@@ -28,7 +29,8 @@ static void turns_of(const int32_t* DAPPLE_RESTRICT a, int16_t* DAPPLE_RESTRICT 
 }
 
 // The blend of three nodes where cells lie at `part`.
-static void blended(const int32_t* DAPPLE_RESTRICT part, const Pair* nodes, int32_t* DAPPLE_RESTRICT a, int32_t* DAPPLE_RESTRICT b, uint16_t n) {
+static void blended(const int32_t* DAPPLE_RESTRICT part, const Pair* nodes, int32_t* DAPPLE_RESTRICT a,
+                    int32_t* DAPPLE_RESTRICT b, uint16_t n) {
   const Pair before = nodes[0], at = nodes[1], behind = nodes[2];
   for (uint16_t i = 0; i < n; ++i) {
     const int32_t f = part[i], w0 = ((256 - f) * (256 - f)) >> 10, w2 = (f * f) >> 10, w1 = 128 - w0 - w2;
@@ -69,9 +71,12 @@ struct WideSums {
 static void steer_cells(const WideSums& sums, const int16_t* DAPPLE_RESTRICT c, const int16_t* DAPPLE_RESTRICT s,
                         int32_t* DAPPLE_RESTRICT most, int16_t tc, int16_t ts) {
   for (uint16_t i = 0; i < kCellsAtOnce; ++i) {
-    const int16_t c2 = static_cast<int16_t>((c[i] * tc - s[i] * ts + 64) >> 7), s2 = static_cast<int16_t>((s[i] * tc + c[i] * ts + 64) >> 7);
-    const int16_t c4 = static_cast<int16_t>((c2 * c2 - s2 * s2 + 64) >> 7), s4 = static_cast<int16_t>((2 * c2 * s2 + 64) >> 7);
-    const int32_t d = 128 * sums.d[0][i] + c2 * sums.d[1][i] + s2 * sums.d[2][i] + c4 * sums.d[3][i] + s4 * sums.d[4][i];
+    const int16_t c2 = static_cast<int16_t>((c[i] * tc - s[i] * ts + 64) >> 7),
+                  s2 = static_cast<int16_t>((s[i] * tc + c[i] * ts + 64) >> 7);
+    const int16_t c4 = static_cast<int16_t>((c2 * c2 - s2 * s2 + 64) >> 7),
+                  s4 = static_cast<int16_t>((2 * c2 * s2 + 64) >> 7);
+    const int32_t d =
+        128 * sums.d[0][i] + c2 * sums.d[1][i] + s2 * sums.d[2][i] + c4 * sums.d[3][i] + s4 * sums.d[4][i];
     most[i] = d > most[i] ? d : most[i];
   }
 }
@@ -119,7 +124,8 @@ static void steer_field_wide(const grid::Rows& rows) {
     WideSums sums;
     Wide copies[kCells], sum[kSumBits];
     int32_t most[kCellsAtOnce];
-    for (uint8_t k = 0; k < side; ++k) shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
+    for (uint8_t k = 0; k < side; ++k)
+      shifted(static_cast<const uint8_t*>(rows.in[k]), at, set.radius, copies + k * side);
     for (uint8_t m = 0; m < kSteerable; ++m) {
       set_number(static_cast<int16_t>(-1), sum);
       add_taps<false>(whole_of(set, m), copies, sum);
@@ -128,7 +134,8 @@ static void steer_field_wide(const grid::Rows& rows) {
     const uint16_t count = left_of(rows, at);
     mixed(rows, static_cast<int32_t>(8 * at), count, sums, most);
     int16_t* const out = grid::out16(rows, 0) + 8 * at;
-    for (uint16_t i = 0; i < count; ++i) out[i] = static_cast<int16_t>(base::clamp((most[i] * factor + 16384) >> 15, -kFieldUnit, kFieldUnit));
+    for (uint16_t i = 0; i < count; ++i)
+      out[i] = static_cast<int16_t>(base::clamp((most[i] * factor + 16384) >> 15, -kFieldUnit, kFieldUnit));
   }
 }
 

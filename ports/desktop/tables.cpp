@@ -25,7 +25,9 @@ DAPPLE_ROWS(DECLARED, sse2)
 DAPPLE_ROWS(DECLARED, avx2)
 static const grid::KernelSwap sse2[] = {DAPPLE_ROWS(SWAPPED, sse2){nullptr, nullptr}};
 static const grid::KernelSwap avx2[] = {DAPPLE_ROWS(SWAPPED, avx2){nullptr, nullptr}};
-static bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"); }
+static bool has_avx2() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+}
 #endif
 
 #ifdef DAPPLE_ARM

@@ -1,6 +1,5 @@
-// A vector of DAPPLE_WIDE bytes as a machine word: what the templates of bit-sliced kernels (lib/stencil/slices.hpp) ask of
-// one. GNU vector types, so that one text serves SSE2, AVX2, NEON and simd128.
-// SPDX-License-Identifier: MIT
+// A vector of DAPPLE_WIDE bytes as a machine word: what the templates of bit-sliced kernels (lib/stencil/slices.hpp)
+// ask of one. GNU vector types, so that one text serves SSE2, AVX2, NEON and simd128. SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/stencil/slices.hpp"
 
@@ -27,12 +26,14 @@ struct Wide {
 };
 
 // Lane i from lane i - 1, the first from `first`; and lane i from lane i + 1, the last from `last`.
-template <class L> inline L moved_up(L l, uint64_t first) {
+template <class L>
+inline L moved_up(L l, uint64_t first) {
   const L other = {first};
   if constexpr (sizeof(L) == 16) return __builtin_shufflevector(l, other, 2, 0);
   else return __builtin_shufflevector(l, other, 4, 0, 1, 2);
 }
-template <class L> inline L moved_down(L l, uint64_t last) {
+template <class L>
+inline L moved_down(L l, uint64_t last) {
   const L other = {last};
   if constexpr (sizeof(L) == 16) return __builtin_shufflevector(l, other, 1, 2);
   else return __builtin_shufflevector(l, other, 1, 2, 3, 4);
@@ -48,7 +49,8 @@ inline Lanes load_lanes(const uint8_t* from) {
 // Words moved by one to eight cells: `back` holds cells x - k, `on` cells x + k. before, after: the bytes around them.
 inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
   const Lanes here = load_lanes(row + at);
-  const Lanes before = moved_up(here, static_cast<uint64_t>(*(row + at - 1)) << 56), after = moved_down(here, row[at + sizeof here]);
+  const Lanes before = moved_up(here, static_cast<uint64_t>(*(row + at - 1)) << 56),
+              after = moved_down(here, row[at + sizeof here]);
   copy[r] = here;
   for (uint8_t k = 1; k <= r; ++k) {
     copy[r - k] = (here << k) | (before >> (64 - k));
@@ -74,13 +76,14 @@ inline void exchange(Lanes& a, Lanes& b, uint8_t shift, uint64_t low) {
   a ^= t << shift;
 }
 
-// Every cell of a bit-sliced number whose values fit int8: in every lane a matrix of 8 x 8 bytes is turned, so that a word has
-// the bits of eight cells, and then those bits (stencil::turned).
+// Every cell of a bit-sliced number whose values fit int8: in every lane a matrix of 8 x 8 bytes is turned, so that a
+// word has the bits of eight cells, and then those bits (stencil::turned).
 inline void values_of(const Wide* sum, int8_t* out) {
   Lanes w[8];
   for (uint8_t k = 0; k < 8; ++k) w[k] = sum[k].lanes;
   for (uint8_t k = 0; k < 4; ++k) exchange(w[k], w[k + 4], 32, UINT64_C(0x00000000ffffffff));
-  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 1 + (k & 1) * 2)) exchange(w[k], w[k + 2], 16, UINT64_C(0x0000ffff0000ffff));
+  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 1 + (k & 1) * 2))
+    exchange(w[k], w[k + 2], 16, UINT64_C(0x0000ffff0000ffff));
   for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 2)) exchange(w[k], w[k + 1], 8, UINT64_C(0x00ff00ff00ff00ff));
   for (uint8_t k = 0; k < 8; ++k) {
     Lanes x = w[k], t = (x ^ (x >> 7)) & UINT64_C(0x00aa00aa00aa00aa);

@@ -6,14 +6,15 @@
 
 namespace dapple::desktop {
 
-#define DAPPLE_YARDSTICKS(set)                                                                                            \
-  extern "C" {                                                                                                            \
-  void dapple_##set##_float_gray_scott(const float* const* u, const float* const* v, float* out_u, float* out_v, size_t n); \
-  uint64_t dapple_##set##_loads(const uint8_t* block, size_t count, size_t offset);                                       \
-  uint64_t dapple_##set##_operations(size_t count);                                                                       \
-  }                                                                                                                       \
-  static const Yardsticks of_##set(uint8_t bytes) {                                                                       \
-    return {#set, bytes, dapple_##set##_float_gray_scott, dapple_##set##_loads, dapple_##set##_operations};               \
+#define DAPPLE_YARDSTICKS(set)                                                                                   \
+  extern "C" {                                                                                                   \
+  void dapple_##set##_float_gray_scott(const float* const* u, const float* const* v, float* out_u, float* out_v, \
+                                       size_t n);                                                                \
+  uint64_t dapple_##set##_loads(const uint8_t* block, size_t count, size_t offset);                              \
+  uint64_t dapple_##set##_operations(size_t count);                                                              \
+  }                                                                                                              \
+  static const Yardsticks of_##set(uint8_t bytes) {                                                              \
+    return {#set, bytes, dapple_##set##_float_gray_scott, dapple_##set##_loads, dapple_##set##_operations};      \
   }
 
 #ifdef DAPPLE_X86

@@ -1,6 +1,5 @@
-// Yardsticks for dapple bench, one of each for every instruction set: plain float loops that do what a model does, and how
-// fast this processor loads, computes and copies at most.
-// SPDX-License-Identifier: MIT
+// Yardsticks for dapple bench, one of each for every instruction set: plain float loops that do what a model does, and
+// how fast this processor loads, computes and copies at most. SPDX-License-Identifier: MIT
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -10,7 +9,8 @@ namespace dapple::desktop {
 struct Yardsticks {
   const char* table;  // whose instructions these are
   uint8_t bytes;      // of a vector
-  // One row of a Gray-Scott step in float32: rows above, here, below of u and v, with a cell of halo; feed, kill and rates fixed.
+  // One row of a Gray-Scott step in float32: rows above, here, below of u and v, with a cell of halo; feed, kill and
+  // rates fixed.
   void (*float_gray_scott)(const float* const* u, const float* const* v, float* out_u, float* out_v, size_t n);
   // Loads `count` vectors of a block that fits the first cache, beginning `offset` bytes into it.
   uint64_t (*loads)(const uint8_t* block, size_t count, size_t offset);

@@ -8,7 +8,8 @@ namespace desktop = dapple::desktop;
 
 namespace {
 
-uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options, uint32_t budget) {
+uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
+                 uint32_t budget) {
   tests::Grown tile(recipe, domain, 5, budget, options);
   REQUIRE(tile.status == dapple::ok);
   return tile.field_hash();
@@ -38,12 +39,16 @@ TEST_CASE("driver: every preset has its goldens on 1, 2, 3 and 8 threads") {
 
 TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budgets within a step") {
   desktop::Driver driver(2);
-  const char* const recipes[] = {"threshold scale=2.2 stretch=2 angle=78 steps=3", "threshold scale=6 stretch=4 angle=33 steps=3",
-                                 "threshold pairs=3 scale=3 stretch=3 angles=0,60,120 steps=3", "threshold scale=4 diffusion=isotropic steps=4",
-                                 "threshold scale=3 stretch=5 angle=90 steps=3", "threshold scale=3 stretch=5 angle=0 steps=3"};
+  const char* const recipes[] = {"threshold scale=2.2 stretch=2 angle=78 steps=3",
+                                 "threshold scale=6 stretch=4 angle=33 steps=3",
+                                 "threshold pairs=3 scale=3 stretch=3 angles=0,60,120 steps=3",
+                                 "threshold scale=4 diffusion=isotropic steps=4",
+                                 "threshold scale=3 stretch=5 angle=90 steps=3",
+                                 "threshold scale=3 stretch=5 angle=0 steps=3"};
   for (const char* text : recipes) {
     const dapple::Recipe recipe = tests::recipe_of(text);
-    for (const tests::Size size : {tests::Size{400, 200}, tests::Size{201, 403}, tests::Size{4000, 210}, tests::Size{20000, 230}}) {
+    for (const tests::Size size :
+         {tests::Size{400, 200}, tests::Size{201, 403}, tests::Size{4000, 210}, tests::Size{20000, 230}}) {
       const dapple::Domain domain = dapple::torus(size.width, size.height);
       if (dapple::need_for(recipe, domain).status != dapple::ok) continue;
       CAPTURE(std::string(text));
@@ -52,7 +57,8 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
       dapple::Options options;
       options.bands = 2;
       options.driver = &driver;
-      for (const uint32_t budget : {UINT32_MAX, 100000u, 7000u}) CHECK(hash_of(recipe, domain, options, budget) == want);
+      for (const uint32_t budget : {UINT32_MAX, 100000u, 7000u})
+        CHECK(hash_of(recipe, domain, options, budget) == want);
       options.kernels = desktop::best_table().kernels;
       CHECK(hash_of(recipe, domain, options, UINT32_MAX) == want);
     }
@@ -61,7 +67,8 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
 
 TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
   desktop::Driver driver(1);
-  for (const char* text : {"gray-scott feed=0.0367 kill=0.0649 steps=70", "cells rule=0xB5A3C96E steps=70", "bits level=0 steps=7"}) {
+  for (const char* text :
+       {"gray-scott feed=0.0367 kill=0.0649 steps=70", "cells rule=0xB5A3C96E steps=70", "bits level=0 steps=7"}) {
     const dapple::Recipe recipe = tests::recipe_of(text);
     for (const tests::Size size : {tests::Size{200, 96}, tests::Size{131, 77}, tests::Size{2000, 80}}) {
       const dapple::Domain domain = dapple::torus(size.width, size.height);
@@ -85,7 +92,8 @@ TEST_CASE("driver: a step that does not fit the budget is done row by row, and p
   options.bands = 2;
   options.driver = &driver;
   const dapple::Recipe recipe = tests::preset_with("weave", "steps=4");
-  tests::Grown driven(recipe, dapple::torus(96, 80), 5, UINT32_MAX, options), small(recipe, dapple::torus(96, 80), 5, 90, options);
+  tests::Grown driven(recipe, dapple::torus(96, 80), 5, UINT32_MAX, options),
+      small(recipe, dapple::torus(96, 80), 5, 90, options);
   CHECK(driven.texture.rows_done() == driven.texture.rows_in_all());
   CHECK(small.texture.rows_done() == small.texture.rows_in_all());
   CHECK(driven.field_hash() == small.field_hash());

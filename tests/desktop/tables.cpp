@@ -10,7 +10,8 @@ namespace desktop = dapple::desktop;
 namespace {
 
 // Calls back for every table but the portable one.
-template <class Work> void each_table(const Work& work) {
+template <class Work>
+void each_table(const Work& work) {
   for (uint8_t i = 1; i < desktop::table_count(); ++i) {
     const desktop::Table& table = desktop::table_at(i);
     INFO("table " << std::string(table.name));
@@ -19,7 +20,8 @@ template <class Work> void each_table(const Work& work) {
   }
 }
 
-uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options, uint32_t budget) {
+uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
+                 uint32_t budget) {
   tests::Grown tile(recipe, domain, 11, budget, options);
   REQUIRE(tile.status == dapple::ok);
   return tile.field_hash();
@@ -42,7 +44,8 @@ TEST_CASE("desktop: the first table is the portable one, the best one runs, name
   CHECK(std::string(desktop::table_at(0).name) == "portable");
   CHECK(desktop::table_at(0).kernels == nullptr);
   CHECK(desktop::best_table().runs());
-  for (uint8_t i = 0; i < desktop::table_count(); ++i) CHECK(desktop::table_named(desktop::table_at(i).name) == &desktop::table_at(i));
+  for (uint8_t i = 0; i < desktop::table_count(); ++i)
+    CHECK(desktop::table_named(desktop::table_at(i).name) == &desktop::table_at(i));
   CHECK(desktop::table_named("sse") == nullptr);
   CHECK(desktop::table_named("") == nullptr);
 }

@@ -1,6 +1,5 @@
-// dapple bench: every piece of work by every kernel table, as rate, ratio to the portable table and share of what the processor
-// could do at most; then the time from recipe to painted tile of every preset.
-// SPDX-License-Identifier: MIT
+// dapple bench: every piece of work by every kernel table, as rate, ratio to the portable table and share of what the
+// processor could do at most; then the time from recipe to painted tile of every preset. SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
@@ -38,7 +37,13 @@ double bound_of(const Work& work, const Limits& limits) {
 
 double scale_of(const std::string& unit) { return unit[0] == 'G' ? 1e9 : unit[0] == 'M' ? 1e6 : 1; }
 
-std::vector<Row> rows_of(const Work& work, const std::vector<std::string>& tables, const std::vector<Limits>& limits) {
+std::vector<Limits> limits_of_all(const std::vector<std::string>& tables) {
+  std::vector<Limits> limits;
+  for (const std::string& table : tables) limits.push_back(limits_of(table));
+  return limits;
+}
+
+std::vector<Row> rows_of(const Work& work, const std::vector<std::string>& tables) {
   std::vector<uint64_t> hash(tables.size());
   std::vector<std::function<double()>> runs;
   for (size_t i = 0; i < tables.size(); ++i)
@@ -47,14 +52,16 @@ std::vector<Row> rows_of(const Work& work, const std::vector<std::string>& table
       hash[i] = done.hash;
       return done.seconds;
     });
+  const std::vector<Limits> limits = limits_of_all(tables);  // of these minutes: other work comes and goes
   const std::vector<Seconds> seconds = take_turns(runs, kRounds);
   std::vector<Row> rows;
   for (size_t i = 0; i < tables.size(); ++i) {
     if (hash[i] != hash[0]) fail("bench: " + work.name + " by " + tables[i] + " has other bytes than by portable");
     const double best = work.amount / seconds[i].least, bound = bound_of(work, limits[i]);
     const bool floats = work.name.rfind("gray-scott", 0) == 0 && limits[i].float_gray_scott > 0;
-    rows.push_back({work.name, tables[i], work.unit, best, work.amount / seconds[i].median, seconds[0].least / seconds[i].least, work.bytes,
-                    bound > 0 ? best / bound : 0, floats ? best / limits[i].float_gray_scott : 0, hash[i]});
+    rows.push_back({work.name, tables[i], work.unit, best, work.amount / seconds[i].median,
+                    seconds[0].least / seconds[i].least, work.bytes, bound > 0 ? best / bound : 0,
+                    floats ? best / limits[i].float_gray_scott : 0, hash[i]});
   }
   return rows;
 }
@@ -71,15 +78,24 @@ struct Column {
   const char* name;
   int width;  // negative: from the left
 };
-constexpr Column kColumns[] = {{"work", -30}, {"kernels", -9}, {"best", 9}, {"median", 9}, {"", -13}, {"x portable", 10},
-                               {"bytes/cell", 10}, {"% of limit", 10}, {"x float", 8}, {"hash", 16}};
+constexpr Column kColumns[] = {{"work", -30},  {"kernels", -9},    {"best", 9},        {"median", 9},
+                               {"", -13},      {"x portable", 10}, {"bytes/cell", 10}, {"% of limit", 10},
+                               {"x float", 8}, {"hash", 16}};
 
 std::vector<std::string> cells_of(const Row& r) {
   const double scale = scale_of(r.unit);
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016" PRIx64, r.hash);
-  return {r.work, r.table, figure(r.best / scale, 2), figure(r.median / scale, 2), r.unit, figure(r.ratio, 2), figure(r.bytes, 3),
-          figure(100 * r.share, 0), figure(r.floats, 2), hash};
+  return {r.work,
+          r.table,
+          figure(r.best / scale, 2),
+          figure(r.median / scale, 2),
+          r.unit,
+          figure(r.ratio, 2),
+          figure(r.bytes, 3),
+          figure(100 * r.share, 0),
+          figure(r.floats, 2),
+          hash};
 }
 
 void print_line(const std::vector<std::string>& cells, bool markdown) {
@@ -100,23 +116,28 @@ void print_json(const std::vector<Row>& rows) {
   std::printf("[\n");
   for (size_t i = 0; i < rows.size(); ++i) {
     const Row& r = rows[i];
-    std::printf("  {\"work\": %s, \"kernels\": %s, \"unit\": %s, \"best\": %.4g, \"median\": %.4g, \"ratio\": %.3f, \"bytes\": %g, "
-                "\"share\": %.3f, \"float\": %.3f, \"hash\": \"%016" PRIx64 "\"}%s\n",
-                json_text(r.work).c_str(), json_text(r.table).c_str(), json_text(r.unit).c_str(), r.best, r.median, r.ratio, r.bytes,
-                r.share, r.floats, r.hash, i + 1 < rows.size() ? "," : "");
+    std::printf(
+        "  {\"work\": %s, \"kernels\": %s, \"unit\": %s, \"best\": %.4g, \"median\": %.4g, \"ratio\": %.3f, \"bytes\": "
+        "%g, "
+        "\"share\": %.3f, \"float\": %.3f, \"hash\": \"%016" PRIx64 "\"}%s\n",
+        json_text(r.work).c_str(), json_text(r.table).c_str(), json_text(r.unit).c_str(), r.best, r.median, r.ratio,
+        r.bytes, r.share, r.floats, r.hash, i + 1 < rows.size() ? "," : "");
   }
   std::printf("]\n");
 }
 
 void print_limits(const std::vector<std::string>& tables, const std::vector<Limits>& limits, bool markdown) {
-  std::printf("Limits measured here: copies of 16 KB, 256 KB and 64 MB move %.0f, %.0f and %.0f GB/s (read and written).%s\n",
-              copied(16 << 10) / 1e9, copied(256 << 10) / 1e9, copied(64 << 20) / 1e9, markdown ? "\n" : "");
+  std::printf(
+      "Limits measured here: copies of 16 KB, 256 KB and 64 MB move %.0f, %.0f and %.0f GB/s (read and written).%s\n",
+      copied(16 << 10) / 1e9, copied(256 << 10) / 1e9, copied(64 << 20) / 1e9, markdown ? "\n" : "");
   for (size_t i = 0; i < tables.size(); ++i)
     if (limits[i].loads > 0)
-      std::printf("%s, vectors of %d bytes: %.2f G aligned loads, %.2f G loads that are not, %.2f G operations a second; a float32 "
-                  "Gray-Scott step %.2f Gcell/s.%s\n",
-                  tables[i].c_str(), limits[i].bytes, limits[i].loads / 1e9, limits[i].loads_askew / 1e9, limits[i].operations / 1e9,
-                  limits[i].float_gray_scott / 1e9, markdown ? "\n" : "");
+      std::printf(
+          "%s, vectors of %d bytes: %.2f G aligned loads, %.2f G loads that are not, %.2f G operations a second; a "
+          "float32 "
+          "Gray-Scott step %.2f Gcell/s.%s\n",
+          tables[i].c_str(), limits[i].bytes, limits[i].loads / 1e9, limits[i].loads_askew / 1e9,
+          limits[i].operations / 1e9, limits[i].float_gray_scott / 1e9, markdown ? "\n" : "");
   std::printf("\n");
 }
 
@@ -142,7 +163,8 @@ void print_presets(const Options& options, bool wanted_all) {
     if (!wanted_all && !named) continue;
     const Subject subject = {entry.name, "", dapple::load(*entry.preset)};
     const std::vector<Seconds> s = take_turns(
-        {painting(subject, 1, nullptr), painting(subject, 1, best_kernels()), painting(subject, 2, best_kernels())}, steps_of(subject.recipe) > 200 ? 2 : 7);
+        {painting(subject, 1, nullptr), painting(subject, 1, best_kernels()), painting(subject, 2, best_kernels())},
+        steps_of(subject.recipe) > 200 ? 2 : 7);
     std::printf("| %s | %.2f | %.2f | %.2f |\n", entry.name, 1e3 * s[0].least, 1e3 * s[1].least, 1e3 * s[2].least);
     std::fflush(stdout);
   }
@@ -152,18 +174,16 @@ void print_presets(const Options& options, bool wanted_all) {
 
 void bench(const Options& options) {
   const std::vector<std::string> tables = kernel_names();
-  std::vector<Limits> limits;
-  for (const std::string& table : tables) limits.push_back(limits_of(table));
   const bool all = options.wanted.empty();
   std::vector<Row> rows;
   bool found = false;
-  if (!options.json) print_limits(tables, limits, options.markdown);
+  if (!options.json) print_limits(tables, limits_of_all(tables), options.markdown);
   for (const Work& work : all_work()) {
     const auto named = [&](const std::string& word) { return work.name.find(word) != std::string::npos; };
     if (!all && std::none_of(options.wanted.begin(), options.wanted.end(), named)) continue;
     if (!found && !options.json) print_head(options.markdown);
     found = true;
-    for (const Row& row : rows_of(work, tables, limits)) {
+    for (const Row& row : rows_of(work, tables)) {
       if (!options.json) print_line(cells_of(row), options.markdown);
       rows.push_back(row);
     }

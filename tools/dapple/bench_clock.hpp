@@ -1,5 +1,5 @@
-// Times that can be trusted on a machine with other work: time of this thread only, rounds that take turns, least and median.
-// SPDX-License-Identifier: MIT
+// Times that can be trusted on a machine with other work: time of this thread only, rounds that take turns, least and
+// median. SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
 #include <vector>
@@ -15,7 +15,8 @@ struct Seconds {
   double least = 0, median = 0;
 };
 
-// Runs every piece of work `rounds` times, one after the other in every round; each returns the seconds of what it has timed.
+// Runs every piece of work `rounds` times, one after the other in every round; each returns the seconds of what it has
+// timed.
 std::vector<Seconds> take_turns(const std::vector<std::function<double()>>& works, int rounds);
 
 }  // namespace cli::measure

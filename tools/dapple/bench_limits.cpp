@@ -18,7 +18,8 @@ static double least(const std::function<void()>& work) {
                       work();
                       return thread_seconds() - start;
                     }},
-                    25)[0].least;
+                    25)[0]
+      .least;
 }
 
 double copied(size_t bytes) {

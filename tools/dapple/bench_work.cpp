@@ -22,7 +22,8 @@ static Recipe recipe_of(const std::string& text, const std::string& changes) {
   return subject_of(options).recipe;
 }
 
-// --- a pass of one plane of 256 x 256 through the sweep machinery --------------------------------------------------------
+// --- a pass of one plane of 256 x 256 through the sweep machinery
+// --------------------------------------------------------
 
 namespace {
 
@@ -32,8 +33,15 @@ struct Plane {
   std::vector<uint8_t> scratch = std::vector<uint8_t>(64 * 1024);
   dapple::evolve::Band band{};
   dapple::evolve::Field field() {
-    return {reinterpret_cast<uint8_t*>(cells.data()), kSide * kSide * 2, kSide * 2, scratch.data(), scratch.size(), kSide, kSide,
-            dapple::grid::Cell::int16, 1};
+    return {reinterpret_cast<uint8_t*>(cells.data()),
+            kSide * kSide * 2,
+            kSide * 2,
+            scratch.data(),
+            scratch.size(),
+            kSide,
+            kSide,
+            dapple::grid::Cell::int16,
+            1};
   }
 };
 
@@ -56,7 +64,8 @@ Work pass(const char* name, int32_t vx, uint16_t vy, uint16_t stride, int16_t we
             const auto plane = std::make_shared<Plane>();
             const dapple::evolve::Sweep sweep = pass_sweep(kernels, vx, vy, stride, weight);
             return [plane, sweep]() -> Done {
-              for (size_t i = 0; i < plane->cells.size(); ++i) plane->cells[i] = static_cast<int16_t>(i * 40503 % 16000);
+              for (size_t i = 0; i < plane->cells.size(); ++i)
+                plane->cells[i] = static_cast<int16_t>(i * 40503 % 16000);
               const dapple::evolve::Field field = plane->field();
               const double start = thread_seconds();
               for (int i = 0; i < kTimes; ++i) {
@@ -68,7 +77,8 @@ Work pass(const char* name, int32_t vx, uint16_t vy, uint16_t stride, int16_t we
           }};
 }
 
-// --- textures -----------------------------------------------------------------------------------------------------------
+// --- textures
+// -----------------------------------------------------------------------------------------------------------
 
 struct Grower {
   Recipe recipe;
@@ -78,7 +88,8 @@ struct Grower {
   dapple::Options options;
   dapple::Texture texture;
 
-  Grower(const Recipe& r, Domain d, Kernels kernels) : recipe(r), domain(d), memory(dapple::bytes_for(r, d)), driver(driver_of(1)) {
+  Grower(const Recipe& r, Domain d, Kernels kernels)
+      : recipe(r), domain(d), memory(dapple::bytes_for(r, d)), driver(driver_of(1)) {
     options.kernels = kernels;
     options.driver = driver.get();
   }
@@ -100,8 +111,8 @@ struct Grower {
 };
 
 // Steps of a texture, its start left out.
-Work steps(const std::string& name, const std::string& recipe, const std::string& changes, uint16_t side, double bytes, double aligned = 0,
-           double askew = 0, double operations = 0) {
+Work steps(const std::string& name, const std::string& recipe, const std::string& changes, uint16_t side, double bytes,
+           double aligned = 0, double askew = 0, double operations = 0) {
   const Recipe r = recipe_of(recipe, changes);
   return {name, "Gcell/s", 1.0 * steps_of(r) * side * side, bytes, aligned, askew, operations, [=](Kernels kernels) {
             const auto grower = std::make_shared<Grower>(r, dapple::torus(side, side), kernels);
@@ -117,7 +128,8 @@ Work steps(const std::string& name, const std::string& recipe, const std::string
 }
 
 // A window of the plane from nothing to its pixels, or to its field.
-Work window(const std::string& name, const std::string& preset, const std::string& changes, uint16_t side, bool painted) {
+Work window(const std::string& name, const std::string& preset, const std::string& changes, uint16_t side,
+            bool painted) {
   const Recipe r = recipe_of(preset, changes);
   const double amount = painted ? 1 : 1.0 * side * side;
   return {name, painted ? "chunks/s" : "Mpixel/s", amount, 0, 0, 0, 0, [=](Kernels kernels) {

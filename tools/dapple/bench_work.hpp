@@ -18,7 +18,8 @@ struct Work {
   std::string name, unit;  // of `amount` a second: "Gcell/s" ...
   double amount;           // cells, passes of cells, pixels, chunks of one run
   double bytes;            // a cell, of state
-  double loads_aligned, loads_askew, operations;  // that 256 bits of cells' worth of vectors take at least; 0: not known
+  double loads_aligned, loads_askew,
+      operations;  // that 256 bits of cells' worth of vectors take at least; 0: not known
   std::function<std::function<Done()>(Kernels)> with;  // made for a table
 };
 
