@@ -92,7 +92,9 @@ class World {
     brush_.format = dapple::Pixels::rgb888;
     const size_t bytes = dapple::chunk_bytes(recipe_, side_, static_cast<uint16_t>(slots), brush_.format);
     memory_.assign(bytes, 0);
-    if (chunks_.begin(recipe_, seed_, side_, static_cast<uint16_t>(slots), brush_, memory_.data(), bytes) != dapple::ok)
+    dapple::Options options;
+    options.kernels = best_kernels();
+    if (chunks_.begin(recipe_, seed_, side_, static_cast<uint16_t>(slots), brush_, memory_.data(), bytes, options) != dapple::ok)
       fail("the chunks of this recipe cannot be grown");
   }
 
