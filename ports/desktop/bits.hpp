@@ -4,7 +4,23 @@
 
 namespace dapple::stencil {
 
-static void convolve_wide(const grid::Rows& rows) { convolve_kept<Wide>(rows); }
+// Where a cell is on as soon as one mask says so, no sums need be compared: signs are enough.
+static void convolve_signs(const grid::Rows& rows, const Job<Wide>& job) {
+  const MaskSet& set = mask_set(rows);
+  Kept<Wide> kept = kept_of<Wide>(set, rows.scratch);
+  for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide), kept.words += kept.column) {
+    keep_copies(rows, kept, at);
+    Wide cells = 0;
+    for (uint8_t j = 0; j < job.count; ++j) cells |= ~keep_sum(rows, set, kept, j, job.threshold)[kSumBits - 1];
+    store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, cells);
+  }
+}
+
+static void convolve_wide(const grid::Rows& rows) {
+  const Job<Wide> job = job_of<Wide>(rows, false);
+  if (job.sums) convolve_kept<Wide>(rows);
+  else convolve_signs(rows, job);
+}
 
 // max + min of several masks do not fit int8.
 static void store_values(const Wide* most, bool both, int16_t* d) {
