@@ -33,7 +33,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   evolve::Ghosts ghosts{};
   if (domain.patches != nullptr) ghosts.seal = evolve::seal_row;
   const evolve::Setup setup = {plan,           grown, api::ground_of(domain, wanted), parts, base::aligned4(memory),
-                               options.kernels, seed,  options.bands, ghosts};
+                               options.kernels, seed,  options.bands, ghosts, options.driver};
   lay_out(setup, stored, domain);
   if (wanted.block == 0) {
     evolve::begin(run_, setup);
@@ -143,12 +143,20 @@ void Texture::paint(uint16_t y, Pixels format, void* out) {
   paint(y, brush, out);
 }
 
+// By a port's kernel, apart: a call of a row kernel is large.
+DAPPLE_APART static void paint_by(const grid::KernelSwap* kernels, const paint::Job& job) {
+  grid::Rows rows;
+  rows.in[0] = &job;
+  grid::choose(kernels, paint::job_row)(rows);
+}
+
 // The colours of a row whose field is at hand.
 DAPPLE_APART void Texture::colour(const Brush& brush, const paint::Source& source, uint8_t* out) {
   const Paint paint = paint_ != nullptr ? *paint_ : rom_ ? base::rom_load(&recipe_->paint) : recipe_->paint;
   paint::Shader shader = paint::shader_of(paint, brush, run_.model.unit, cell_level(), run_.seed);
   if (frugal_) shader.slope = 0;
-  paint::paint_row(shader, brush, source, out);
+  if (run_.kernels == nullptr) paint::paint_row(shader, brush, source, out);
+  else paint_by(run_.kernels, {&shader, &brush, &source, out});
 }
 
 // The field's rows around y; false where a frugal texture is not done.

@@ -29,6 +29,7 @@ constexpr int32_t kVersion = 100;
 struct Options {
   uint8_t bands = 1;                            // 1..64 bands of rows that could run at once; each has its own scratch
   const grid::KernelSwap* kernels = nullptr;    // faster row kernels with the same bytes; null: the portable ones
+  evolve::Driver* driver = nullptr;             // does whole steps, for one texture at a time (threads: ports/desktop); null: row by row
   // Windows in blocks: cells beside the window, along either direction, for which there is room to keep what is decided; and
   // whether the memory is as a texture begun with the same arguments, but for the place, has left it: then that is not decided
   // again.

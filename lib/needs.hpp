@@ -220,7 +220,7 @@ constexpr size_t paint_bytes(const Recipe& recipe, const Domain& domain, const g
 }
 
 // To align the memory to four bytes, and because kernels on one-bit cells read, and ignore, up to two words beyond a row.
-constexpr size_t kSlack = 3 + 2 * sizeof(base::Word);
+constexpr size_t kSlack = 3 + base::kWidestWord / 4;
 
 constexpr Need need_of(const Recipe& recipe, const Domain& domain, uint8_t bands, uint16_t kept, evolve::Parts& parts) {
   Need need{};

@@ -2,33 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cinttypes>
-#include <cstdio>
-#include <fstream>
 #include <set>
-#include <string>
 
-#include "grow.hpp"
+#include "goldens.hpp"
 
 namespace {
 
-struct Golden {
-  char name[64];
-  unsigned width, height, seed;
-  uint64_t field, pixels;
-};
-
-std::vector<Golden> read_goldens() {
-  std::vector<Golden> all;
-  std::ifstream in(DAPPLE_GOLDEN_DIR "/presets.txt");
-  for (std::string line; std::getline(in, line);) {
-    Golden g{};
-    const int read = std::sscanf(line.c_str(), "%63s %ux%u %u %" SCNx64 " %" SCNx64, g.name, &g.width, &g.height, &g.seed, &g.field, &g.pixels);
-    REQUIRE_MESSAGE(read == 6, "broken golden line: " << line);
-    all.push_back(g);
-  }
-  return all;
-}
+using tests::Golden;
+using tests::read_goldens;
 
 void check(const Golden& g, uint32_t budget, uint8_t bands) {
   const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));

@@ -118,6 +118,9 @@ constexpr bool kSmallCode = true;
 constexpr bool kSmallCode = false;
 #endif
 
+// Bits of the widest word that kernels on one-bit cells may take: desktop processors have kernels on vectors (ports/desktop).
+constexpr uint16_t kWidestWord = sizeof(Word) == 8 ? 256 : 8 * sizeof(Word);
+
 // Where the stack is a few hundred bytes, larger work space comes from the caller's memory.
 constexpr bool kSmallStack = sizeof(Word) == 1;
 

@@ -23,7 +23,7 @@ static void step_row(const grid::Rows& rows, size_t sum_bytes) {
 }
 
 static void wide_row(const grid::Rows& rows) { step_row(rows, grid::row_bytes(grid::Cell::int32, rows.n)); }
-static void narrow_row(const grid::Rows& rows) { step_row(rows, grid::row_bytes(grid::Cell::int16, rows.n)); }
+void narrow_row(const grid::Rows& rows) { step_row(rows, grid::row_bytes(grid::Cell::int16, rows.n)); }
 
 static void whole_window(const Context& context, Sweep& sweep) {
   sweep.first = 0;
@@ -60,7 +60,7 @@ bool euler_next(const Context& context, Cursor& cursor, Sweep& sweep) {
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   if (cursor.sweep++ != 0) return false;
   whole_window(context, sweep);
-  sweep.row = narrow_row;
+  sweep.row = grid::choose(context.kernels, narrow_row);
   sweep.part[0] = grid::choose(context.kernels, &stencil::five_row);
   for (uint8_t plane = 0; plane < sweep.count; ++plane) {
     const int32_t weight = context.model->tensor(context.number, plane).xx / 2;  // D dt, even Q16

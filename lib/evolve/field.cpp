@@ -152,8 +152,34 @@ DAPPLE_APART static const int16_t* coarse_row(const Run& run, const Work& w, int
   return make_coarse(run, w, y, first, static_cast<uint16_t>(last - first + 1), out);
 }
 
+// Both rows mixed, cells x - 1 to x + n; values within +-8000, so that every sum fits int16.
+static void mix(const int16_t* DAPPLE_RESTRICT near, const int16_t* DAPPLE_RESTRICT other, int16_t* DAPPLE_RESTRICT mixed, uint16_t n) {
+  for (uint16_t i = 0; i < n; ++i) mixed[i] = static_cast<int16_t>(static_cast<int16_t>(3 * near[i] + other[i] + 2) >> 2);
+}
+static void widen(const int16_t* DAPPLE_RESTRICT mixed, int16_t* DAPPLE_RESTRICT out, uint16_t n) {
+  for (uint16_t i = 0; i < n; ++i) {
+    const int16_t here = static_cast<int16_t>(3 * mixed[i + 1] + 2);
+    out[2 * i] = static_cast<int16_t>(static_cast<int16_t>(here + mixed[i]) >> 2);
+    out[2 * i + 1] = static_cast<int16_t>(static_cast<int16_t>(here + mixed[i + 2]) >> 2);
+  }
+}
+
+// `enlarged` by whole cells, in short loops without a branch; an odd one at either end by itself.
 DAPPLE_APART static void enlarge(const int16_t* near, const int16_t* other, int16_t* out, uint8_t odd, uint16_t count) {
-  enlarged(near, other, odd, count, [&](uint16_t i, int16_t value) { out[i] = value; });
+  constexpr uint16_t kBlock = 32;
+  if (odd) {
+    enlarged(near++, other++, 1, 1, [&](uint16_t, int16_t value) { *out++ = value; });
+    --count;
+  }
+  int16_t mixed[kBlock + 2];
+  for (uint16_t n; count > 1; count = static_cast<uint16_t>(count - 2 * n), near += n, other += n, out += 2 * n) {
+    n = count / 2 < kBlock ? static_cast<uint16_t>(count / 2) : kBlock;
+    mix(near - 1, other - 1, mixed, static_cast<uint16_t>(n + 2));
+    widen(mixed, out, n);
+  }
+  if (count == 0) return;
+  mix(near - 1, other - 1, mixed, 2);
+  *out = static_cast<int16_t>(static_cast<int16_t>(3 * mixed[1] + 2 + mixed[0]) >> 2);
 }
 
 // Two middle rows of a fourfold enlargement: the one row `y` (finest grid) lies in, and the one beside it.

@@ -77,6 +77,7 @@ void begin(Run& run, const Setup& setup) {
   run.spent = 0;
   run.seed = setup.seed;
   run.kernels = setup.kernels;
+  run.driver = setup.driver;
   const Model model = rom_load(load_stage(run.plan, 0).model);
   run.field.cell = model.cell;
   const uint8_t finest = load_stage(run.plan, static_cast<uint8_t>(run.plan.stages - 1)).level;
@@ -158,6 +159,19 @@ static bool next_sweep(Run& run) {
   return rom_load(run.domain.corners).next(context_of(run), run.solver, load_start(run.plan), run.cursor, run.sweep);
 }
 
+bool take_sweep(Run& run) {
+  const bool first = run.cursor.sweep == 0;
+  if (next_sweep(run)) {
+    set_margin(run, first);
+    return true;
+  }
+  run.sweep.row = nullptr;
+  run.cursor.sweep = 0;
+  ++run.step;
+  ++run.clock.step;
+  return false;
+}
+
 // The next sweep of the step, the next step, the next stage: whatever comes now that no sweep is under way.
 DAPPLE_APART static void open_sweep(Run& run) {
   if (run.step == run.stage.steps) {
@@ -167,17 +181,16 @@ DAPPLE_APART static void open_sweep(Run& run) {
       open_stage(run);
     return;
   }
-  const bool first = run.cursor.sweep == 0;
-  if (next_sweep(run)) {
-    run.at_band = 0;
-    set_margin(run, first);
-    begin_sweep(run.field, run.sweep, run.band);
-    return;
-  }
-  run.sweep.row = nullptr;
-  run.cursor.sweep = 0;
-  ++run.step;
-  ++run.clock.step;
+  if (!take_sweep(run)) return;
+  run.at_band = 0;
+  begin_sweep(run.field, run.sweep, run.band);
+}
+
+// A step that the driver, if there is one, does as a whole: its rows of work.
+static uint32_t driven(Run& run, uint32_t rows) {
+  if (run.driver == nullptr || run.cursor.sweep != 0 || run.step == run.stage.steps) return 0;
+  if (run.domain.corners != nullptr || run.ghosts.seal != nullptr) return 0;
+  return run.driver->step(*run.driver, run, rows);
 }
 
 static uint32_t sweep_rows(Run& run, uint32_t rows) {
@@ -195,12 +208,16 @@ bool advance(Run& run, uint32_t rows, bool one_part) {
   while (run.phase != Phase::done) {
     if (one_part && run.parts != part) return true;
     if (run.phase == Phase::sweeping && run.sweep.row == nullptr) {
-      if (run.ghosts.seal == nullptr || run.ghosts.sealed) {
-        open_sweep(run);
+      if (run.ghosts.seal != nullptr && !run.ghosts.sealed) {
+        run.phase = Phase::sealing;
+        run.at_row = 0;
         continue;
       }
-      run.phase = Phase::sealing;
-      run.at_row = 0;
+      const uint32_t done = driven(run, rows);
+      rows -= done;
+      run.rows += done;
+      if (done == 0) open_sweep(run);
+      continue;
     }
     if (rows == 0) return true;
     uint32_t done = 1;

@@ -52,12 +52,21 @@ struct Ghosts {
   bool sealed;      // nothing has moved since
 };
 
+// Somebody who does the sweeps of whole steps in another way than one row after the other: on threads, several sweeps at a
+// time (ports/desktop). Same bytes.
+struct Driver {
+  // A whole step, if that is at most `rows` rows of work: takes its sweeps (take_sweep) and does them. Returns the rows of
+  // work done; 0: the step is left as it was, to be done row by row.
+  uint32_t (*step)(Driver& driver, Run& run, uint32_t rows);
+};
+
 struct Run {
   Plan plan;
   Stage stage;      // the current one, loaded
   Model model;
   Solver solver;
   const grid::KernelSwap* kernels;
+  Driver* driver;
   Domain domain;
   Ground ground;
   uint16_t spent;   // cells of the halo, finest grid, that the sweeps so far have used up
@@ -150,8 +159,12 @@ struct Setup {
   uint32_t seed;
   uint8_t bands;
   Ghosts ghosts = {};
+  Driver* driver = nullptr;
 };
 void begin(Run& run, const Setup& setup);
+
+// The next sweep of the step at hand, into run.sweep; false, with run.sweep.row null, when the step is complete.
+bool take_sweep(Run& run);
 
 // At most `rows` rows of work; false when nothing is left to do. one_part: ends where run.parts moves on, so that patches
 // can take turns.

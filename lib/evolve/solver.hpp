@@ -73,7 +73,7 @@ struct Reach {
   uint16_t table;          // int32 numbers a solver keeps for its kernels (Rows::table)
   uint16_t spread;         // how far, in cells of this grid, one step carries what a cell holds
   uint8_t field_radius = 0;  // rows and cells around a cell that `field` reads
-  uint8_t bytes = 0;         // of scratch per cell of a row and 64 more cells, for kernels that keep more than rows
+  uint8_t bytes = 0;         // of scratch for each of kept_cells (sweep.hpp), for kernels that keep more than rows
   uint16_t space = 0;        // bytes of work space, whatever the width, of the kernels of a step and of the field
   uint8_t kept = 0;          // planes the solver keeps behind the model's own
   uint8_t once = 0;          // sweeps more in the first step of a stage
@@ -182,6 +182,8 @@ constexpr Reach kinetic_reach(const Model& model, const int32_t* number, uint8_t
   return {planes, 1, 1, static_cast<uint8_t>(model.work_rows + planes), 0, 0, 1, 1, static_cast<uint16_t>(3 * planes), 1};
 }
 bool kinetic_next(const Context& context, Cursor& cursor, Sweep& sweep);
+// Its sweep: part[0] the stencil, part[1] the reaction; table: three numbers of the stencil for each plane.
+void narrow_row(const grid::Rows& rows);
 inline constexpr Solver kinetic DAPPLE_ROM = {kinetic_reach, kinetic_next, nullptr, nullptr, nullptr, Sharing::state, 16};
 
 // --- direct: the model's own window kernel, any kind of cell. -------------------------------------------------------

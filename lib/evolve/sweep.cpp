@@ -160,36 +160,38 @@ static void move_on(const Order& order, uint16_t height, uint8_t ring, Band& ban
   band.open = false;
 }
 
-// The same rows as the loop of run_band, for the sweep that matters most: one plane, one row either side, away from the
-// coset's end. Pointers move instead of being made afresh.
-DAPPLE_APART static uint32_t run_three(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
-                          Band& band, uint32_t rows) {
+// The same rows as the loop of run_band, for the sweeps that matter most: one plane, away from the coset's end. Pointers move
+// instead of being made afresh.
+DAPPLE_APART static uint32_t run_ring(const Field& field, const Sweep& sweep, const Windows& w, const Order& order, grid::Rows& call,
+                                      Band& band, uint32_t rows) {
+  const uint8_t last = static_cast<uint8_t>(2 * sweep.radius);
   const uint32_t left = static_cast<uint32_t>(band.stop) - band.index;
-  const uint32_t count = left - 1 < rows ? left - 1 : rows;
+  if (left <= sweep.radius) return 0;
+  const uint32_t most = left - sweep.radius, count = most < rows ? most : rows;
   const size_t skip = grid::cell_bytes(field.cell, call.x);
   uint8_t* const plane = field.planes + sweep.first * field.plane_bytes;
-  uint8_t* ring[3];
-  for (uint8_t k = 0; k < 3; ++k) ring[k] = slot_of(w, 0, static_cast<uint16_t>((band.slot + k) % 3));
-  uint32_t y = band.y;
+  uint8_t slot = band.slot;
+  for (uint8_t k = 0; k < last; ++k) call.in[k] = slot_of(w, 0, static_cast<uint16_t>((slot + k) % (last + 1))) + skip;
+  uint32_t y = band.y, ahead = y;
+  for (uint8_t k = 0; k < sweep.radius; ++k) ahead = ahead + order.stride < field.height ? ahead + order.stride : ahead + order.stride - field.height;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t ahead = y + order.stride < field.height ? y + order.stride : y + order.stride - field.height;
-    grid::copy_row(field.cell, ring[2], plane + ahead * field.row_bytes, field.width, sweep.halo);
-    for (uint8_t k = 0; k < 3; ++k) call.in[k] = ring[k] + skip;
+    uint8_t* const newest = slot_of(w, 0, slot == 0 ? last : static_cast<uint16_t>(slot - 1));
+    grid::copy_row(field.cell, newest, plane + ahead * field.row_bytes, field.width, sweep.halo);
+    call.in[last] = newest + skip;
     call.out[0] = plane + y * field.row_bytes + skip;
     call.y = static_cast<uint16_t>(y);
     call.run = static_cast<uint16_t>(band.run + i);
     sweep.row(call);
-    uint8_t* const oldest = ring[0];
-    ring[0] = ring[1];
-    ring[1] = ring[2];
-    ring[2] = oldest;
-    y = ahead;
+    for (uint8_t k = 0; k < last; ++k) call.in[k] = call.in[k + 1];
+    slot = slot == last ? uint8_t{0} : static_cast<uint8_t>(slot + 1);
+    y = y + order.stride < field.height ? y + order.stride : y + order.stride - field.height;
+    ahead = ahead + order.stride < field.height ? ahead + order.stride : ahead + order.stride - field.height;
   }
   band.y = static_cast<uint16_t>(y);
   band.next = static_cast<uint16_t>(band.next + count);
   band.index = static_cast<uint16_t>(band.index + count);
   band.run = static_cast<uint16_t>(band.run + count);
-  band.slot = static_cast<uint8_t>((band.slot + count) % 3);
+  band.slot = slot;
   return count;
 }
 
@@ -216,7 +218,7 @@ uint32_t run_band(const Field& field, const Sweep& sweep, const int32_t* table, 
   for (; done < rows && band.next < band.end; ++done) {
     if (sweep.radius > 0) {
       if (!band.open) open_coset(field, sweep, w, order, start, band);
-      if (sweep.radius == 1 && sweep.count == 1) done += run_three(field, sweep, w, order, call, band, rows - done);
+      if (sweep.count == 1) done += run_ring(field, sweep, w, order, call, band, rows - done);
       if (done == rows) break;
       load_ahead(field, sweep, w, order, band, static_cast<uint16_t>(band.slot == 0 ? ring - 1 : band.slot - 1));
     }

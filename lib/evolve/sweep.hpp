@@ -45,6 +45,12 @@ constexpr uint16_t window_rows(uint8_t radius, uint8_t bands) {
   return static_cast<uint16_t>(3 * radius + (radius > 0 ? 1 : 0) + (bands > 1 ? 4 * radius : 0));
 }
 
+// Cells there is room for where a kernel keeps more than rows: whole words of any width, and 64 cells to align them.
+constexpr size_t kept_cells(uint16_t width) {
+  const size_t rest = base::kWidestWord > 64 ? -static_cast<size_t>(width) & (base::kWidestWord - 1u) : 0;
+  return static_cast<size_t>(width) + rest + 64;
+}
+
 // Bytes of scratch of one band.
 constexpr bool band_bytes(const Reach& reach, grid::Cell cell, uint16_t width, uint8_t bands, size_t& total) {
   const size_t window = grid::scratch_bytes(cell, width, reach.halo);
@@ -54,7 +60,7 @@ constexpr bool band_bytes(const Reach& reach, grid::Cell cell, uint16_t width, u
       base::add_bytes(total, reach.halo_rows, grid::scratch_bytes(grid::Cell::int16, width, reach.halo)) &&
       base::add_bytes(total, reach.rows16, grid::row_bytes(grid::Cell::int16, width)) &&
       base::add_bytes(total, reach.rows32, grid::row_bytes(grid::Cell::int32, width)) &&
-      base::add_bytes(total, reach.bytes, static_cast<size_t>(width) + (reach.bytes > 0 ? 64 : 0)) && base::add_bytes(total, reach.space, 1);
+      base::add_bytes(total, reach.bytes, kept_cells(width)) && base::add_bytes(total, reach.space, 1);
   total = grid::align4(total);
   return fits;
 }

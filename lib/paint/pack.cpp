@@ -29,4 +29,9 @@ void paint_row(const Shader& shader, const Brush& brush, const Source& source, u
   }
 }
 
+void job_row(const grid::Rows& rows) {
+  const Job& job = *static_cast<const Job*>(rows.in[0]);
+  paint_row(*job.shader, *job.brush, *job.source, job.row);
+}
+
 }  // namespace dapple::paint

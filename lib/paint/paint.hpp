@@ -2,7 +2,7 @@
 // (Witkin & Kass 1991, 1 and 6: displacement, colour, opacity, specularity); pixel formats; ordered dither.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "../base/fixed.hpp"
+#include "../grid/rows.hpp"
 
 namespace dapple {
 
@@ -135,6 +135,15 @@ void shade_deep(const Shader& shader, const Source& source, bool swapped, uint8_
 
 // A whole row.
 void paint_row(const Shader& shader, const Brush& brush, const Source& source, uint8_t* row);
+
+// The same as a row kernel, for ports that have a faster one: in[0] is a Job.
+struct Job {
+  const Shader* shader;
+  const Brush* brush;
+  const Source* source;
+  uint8_t* row;
+};
+void job_row(const grid::Rows& rows);
 
 }  // namespace dapple::paint
 

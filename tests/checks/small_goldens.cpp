@@ -1,7 +1,7 @@
 // Grows every preset, and every family with each of its solvers, at the smallest size for a few steps, also coarse to fine
 // as a window of the plane and as corner tiles; sliced, banded and out of unclean memory at odd addresses; and paints it in every way.
 // Prints one line each: name WxH steps seed field pixels. tests/checks/hostile.sh compares what many compilers and
-// options make of it.
+// options make of it. DAPPLE_TABLE: a table of ports/desktop, for tests/checks/kernels.sh.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <cstring>
@@ -10,6 +10,9 @@
 
 #include "../grow.hpp"
 #include "corners.hpp"
+#ifdef DAPPLE_TABLE
+#include "tables.hpp"
+#endif
 
 namespace {
 
@@ -58,6 +61,9 @@ struct Tile {
     std::memset(static_cast<void*>(&texture), way.dirt, sizeof texture);
     dapple::Options options;
     options.bands = way.bands;
+#ifdef DAPPLE_TABLE
+    options.kernels = dapple::desktop::table_named(DAPPLE_TABLE)->kernels;
+#endif
     grown = texture.begin(recipe, domain, kSeed, memory.get() + way.offset, bytes, options) == dapple::ok;
     uint8_t line[4 * kLargestSide];
     for (uint16_t y = 0; grown && texture.step(way.budget) == dapple::more; y = static_cast<uint16_t>((y + 5) % domain.height))

@@ -13,6 +13,7 @@ void rule(const Options& options);
 void stream(const Options& options);
 void surface(const Options& options);
 void tiles(const Options& options);
+void bench(const Options& options);
 
 // Text as a JSON string.
 std::string json_text(const std::string& text);

@@ -49,7 +49,7 @@ static Picture picture_of(dapple::Texture& texture, dapple::Pixels pixels, const
 }
 
 static void print_hash(const Subject& subject, const Options& options) {
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   grow_tile(tile, subject, options);
   FieldHash hash;
   hash.add(tile.texture());
@@ -59,7 +59,7 @@ static void print_hash(const Subject& subject, const Options& options) {
 void grow_maps(Subject subject, const Options& options) {
   check_maps(options);
   set_steps(subject, options);
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   MapFiles files(subject.name, options);
   grow_tile(tile, subject, options);
   files.write(tile.texture());
@@ -72,7 +72,7 @@ void grow(const Options& options) {
   set_steps(subject, options);
   if (options.hash) return print_hash(subject, options);
   const Target target = target_of(options, subject.name);
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   Picture picture = picture_of(tile.texture(), target.pixels, options);
   picture.name = subject.name;
   const std::string place = options.at ? ", at " + place_text(*options.at) + " of the plane" : "";

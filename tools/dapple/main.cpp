@@ -31,6 +31,7 @@ const CommandEntry kCommands[] = {
     {"surface", in_surface, surface, 0, "SHAPE NAME|RECIPE [key=value ...] [options]",
      "grow a texture for a torus, vase, sphere or your own surface"},
     {"stream", in_stream, stream, 0, "NAME|RECIPE [key=value ...] [options]", "fly over the endless plane; q ends it"},
+    {"bench", in_bench, bench, 0, "[NAME ...] [options]", "cells a second by every kernel table, of what this machine can do"},
     {"tiles", in_tiles, tiles, 0, "NAME|RECIPE [key=value ...] [options]", "corner tiles, which lay an endless floor"},
 };
 

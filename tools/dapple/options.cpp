@@ -192,7 +192,9 @@ const Option kOptions[] = {
      [](Options& o, const std::string& v) { o.atlas = file_name("--atlas", v); }},
     {"--preview", "FILE", in_surface, "write a picture of the object too, without and with correction",
      [](Options& o, const std::string& v) { o.preview = file_name("--preview", v); }},
-    {"--json", nullptr, in_list | in_info, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
+    {"--markdown", nullptr, in_bench, "as a page: also how long every preset takes",
+     [](Options& o, const std::string&) { o.markdown = true; }},
+    {"--json", nullptr, in_list | in_info | in_bench, "as JSON", [](Options& o, const std::string&) { o.json = true; }},
     {"--size", "N|WxH", in_grow | in_info | in_sheet, "cells, which are the tile's pixels; sides from 8 to 65535",
      read_size},
     {"--at", "X,Y", in_grow | in_info, "a window of the endless plane, its left upper pixel at X,Y, instead of a tile",
@@ -247,13 +249,12 @@ const Option kOptions[] = {
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
     {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
-    {"--threads", "N", in_grow | in_info | in_tiles | in_surface,
-     "1 to 64 bands of rows, one after the other; never changes the bytes (1)",
+    {"--threads", "N", in_grow | in_info | in_tiles | in_surface, "1 to 64 threads, each with bands of rows of its own; never changes the bytes (1)",
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},
-    {"--kernels", "KERNELS", in_grow, "portable, best; never changes the bytes (best)",
-     [](Options&, const std::string& v) { choice("--kernels", v, "portable|best"); }},
+    {"--kernels", "KERNELS", in_grow, "portable, best, or those of an instruction set; never changes the bytes (best)",
+     [](Options& o, const std::string& v) { o.kernels = kernels_named(v); }},
     {"--hash", nullptr, in_grow | in_surface, "print the hash of the field, 16 hexadecimal digits, and write nothing",
      [](Options& o, const std::string&) { o.hash = true; }},
 };
@@ -285,7 +286,7 @@ void read_plain_word(Command command, const std::string& word, Options& options)
   } else if (subject && options.subject.empty() && !is_change(word)) {
     if (word.empty()) refuse("'' is not the name of a preset or a recipe; 'dapple list' shows the presets");
     options.subject = word;
-  } else if ((command & in_sheet) != 0 && !word.empty()) {
+  } else if ((command & (in_sheet | in_bench)) != 0 && !word.empty()) {
     options.wanted.push_back(word);
   } else if (subject && is_change(word)) {
     options.changes.push_back(word);

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "image.hpp"
+#include "kernels.hpp"
 #include "map_image.hpp"
 
 namespace cli {
 
 enum Command : unsigned {
-  in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64, in_surface = 128
+  in_list = 1, in_grow = 2, in_info = 4, in_sheet = 8, in_stream = 16, in_rule = 32, in_tiles = 64, in_surface = 128, in_bench = 256
 };
 constexpr unsigned kTakesSubject = in_grow | in_info | in_stream | in_tiles | in_surface;  // NAME|RECIPE [key=value ...]
 
@@ -26,7 +27,7 @@ struct Place {
 struct Options {
   std::string subject;               // NAME or RECIPE
   std::vector<std::string> changes;  // key=value
-  std::vector<std::string> wanted;   // of sheet: presets and recipes; none: all presets
+  std::vector<std::string> wanted;   // of sheet: presets and recipes; of bench: parts of names; none: all
   uint16_t width = 256, height = 256;
   std::optional<Place> at;  // a window of the endless plane instead of a torus
   uint32_t seed = 1337;
@@ -40,8 +41,9 @@ struct Options {
   std::optional<dapple::Ramp> ramp;
   uint16_t across = 1, down = 1;  // how often the tile is repeated
   bool repeat = false;            // --repeat was given
-  uint32_t budget = 1024;         // rows
+  uint32_t budget = 0;            // rows; 0: not given
   uint8_t bands = 1;
+  Kernels kernels = best_kernels();
   uint32_t frames = 0;            // of stream; 0: not given
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
@@ -50,7 +52,7 @@ struct Options {
   std::string shape, preview, heights, metric, atlas;  // of surface: its name, and files
   std::optional<int32_t> ratio, tall;                  // 1/1000000
   bool map = false, rle = false, text = false;
-  bool dither = false, flip_y = false, hash = false, json = false;
+  bool dither = false, flip_y = false, hash = false, json = false, markdown = false;
 };
 
 // Reads the words behind the command's name into `options`, which hold the command's defaults.

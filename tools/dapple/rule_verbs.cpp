@@ -41,7 +41,7 @@ Torus read_start(const Options& options) {
 Torus state_of(Subject& subject, const Options& options, uint32_t steps) {
   const uint32_t all = steps_of(subject.recipe);
   if (steps > all) change(subject.recipe, "steps=" + std::to_string(steps), "--steps");
-  Tile tile(subject, domain_of(options), options.seed, options.bands);
+  Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   Progress progress;
   if (steps < all) tile.grow_steps(steps, progress);
   else tile.grow(options.budget, progress);

@@ -92,7 +92,9 @@ class World {
     brush_.format = dapple::Pixels::rgb888;
     const size_t bytes = dapple::chunk_bytes(recipe_, side_, static_cast<uint16_t>(slots), brush_.format);
     memory_.assign(bytes, 0);
-    if (chunks_.begin(recipe_, seed_, side_, static_cast<uint16_t>(slots), brush_, memory_.data(), bytes) != dapple::ok)
+    dapple::Options options;
+    options.kernels = best_kernels();
+    if (chunks_.begin(recipe_, seed_, side_, static_cast<uint16_t>(slots), brush_, memory_.data(), bytes, options) != dapple::ok)
       fail("the chunks of this recipe cannot be grown");
   }
 
@@ -216,7 +218,7 @@ void print(const Options& options, const Subject& subject, World& world, Camera&
   for (uint32_t frame = 1; frame <= frames; ++frame) {
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(options.budget) == dapple::more) {
+    while (world.chunks().step(options.budget == 0 ? 1024 : options.budget) == dapple::more) {
     }
     const std::string line = caption(subject, world.chunks(), camera.place(), frame, view.width, "");
     std::fputs((world.text("\n") + line + "\n").c_str(), stdout);

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -29,8 +30,8 @@ void Progress::show(const std::string& name, uint64_t done, uint64_t all) {
   std::fflush(stderr);
 }
 
-Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands)
-    : name_(subject.name), recipe_(subject.recipe) {
+Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands, Kernels kernels)
+    : name_(subject.name), recipe_(subject.recipe), driver_(driver_of(bands)) {
   const dapple::Need need = need_of(subject, domain, bands);
   if (has_sides(recipe_)) {
     patch_ = patch_of(recipe_);
@@ -42,10 +43,24 @@ Tile::Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t
   if (memory_ == nullptr) fail("not enough memory: " + name_ + " needs " + std::to_string(need.bytes) + " bytes");
   dapple::Options options;
   options.bands = bands;
+  options.kernels = kernels;
+  options.driver = driver_.get();
   texture_.begin(recipe_, domain, seed, memory_.get(), need.bytes, options);  // need_of has checked everything
 }
 
+// The most rows of work of one step.
+static uint32_t step_rows(const dapple::Recipe& recipe, uint16_t height) {
+  uint32_t most = 1024;
+  for (uint8_t i = 0; i < recipe.stages; ++i) {
+    const dapple::Stage& stage = recipe.stage[i];
+    const dapple::evolve::Reach reach = stage.solver->reach(*stage.model, stage.number, stage.level, stage.stored);
+    most = std::max(most, (uint32_t{reach.sweeps} + reach.once) * (height >> stage.level));
+  }
+  return most;
+}
+
 void Tile::grow(uint32_t budget, Progress& progress) {
+  if (budget == 0) budget = step_rows(recipe_, rows_);
   while (texture_.step(budget) == dapple::more) progress.show(name_, texture_.rows_done(), texture_.rows_in_all());
 }
 

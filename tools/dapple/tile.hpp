@@ -27,11 +27,12 @@ class Progress {
 
 class Tile {
  public:
-  Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands = 1);
+  Tile(const Subject& subject, dapple::Domain domain, uint32_t seed, uint8_t bands = 1,
+       Kernels kernels = best_kernels());
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
-  // To the end, `budget` rows at a time.
+  // To the end, `budget` rows at a time; 0: a step or so at a time.
   void grow(uint32_t budget, Progress& progress);
   // Until exactly `steps` steps are done in all.
   void grow_steps(uint32_t steps, Progress& progress);
@@ -43,6 +44,7 @@ class Tile {
   dapple::Recipe recipe_;
   dapple::Patch patch_;  // of a recipe with sides
   dapple::Patches patches_;
+  std::shared_ptr<dapple::evolve::Driver> driver_;
   uint16_t rows_;  // that are grown: the tile's, or the window's with its halo
   std::unique_ptr<uint8_t[]> memory_;
   dapple::Texture texture_;

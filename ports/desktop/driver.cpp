@@ -1,0 +1,120 @@
+// Whole steps on several threads. See driver.hpp.
+// SPDX-License-Identifier: MIT
+#include "driver.hpp"
+
+#include <algorithm>
+
+#include "../../lib/model/cells.hpp"
+#include "../../lib/stencil/lattice.hpp"
+
+namespace dapple::desktop {
+
+constexpr uint32_t kSmallSweep = 4096;  // bytes; below, bands are done one after the other
+constexpr uint32_t kStepsAtOnce = 32;
+
+Driver::Driver(unsigned threads)
+    : evolve::Driver{[](evolve::Driver& driver, evolve::Run& run, uint32_t rows) {
+        return static_cast<Driver&>(driver).whole_step(run, rows);
+      }},
+      crew_(threads),
+      fused_(threads) {}
+
+// The first sweep after those from `at` on that are passes over single planes of int16.
+size_t Driver::passes_from(const evolve::Run& run, size_t at) const {
+  const grid::RowKernel pass = grid::choose(run.kernels, stencil::pass_row),
+                        chain = grid::choose(run.kernels, stencil::chain_row);
+  for (; at < sweeps_.size(); ++at) {
+    const evolve::Sweep& s = sweeps_[at];
+    if (s.margin != 0 || (s.row != chain && !(s.row == pass && Fused::fits(run.field, s)))) break;
+  }
+  return at;
+}
+
+static void chain_alone(const evolve::Run& run, const evolve::Sweep& sweep, uint8_t* scratch) {
+  grid::Rows call{};
+  call.p = sweep.p;
+  call.scratch = scratch;
+  call.n = run.field.width;
+  call.planes = 1;
+  for (uint32_t y = 0; y < run.field.height; ++y) {
+    call.out[0] = evolve::row_of(run.field, sweep.first, static_cast<uint16_t>(y));
+    sweep.row(call);
+  }
+}
+
+void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
+  planes_.clear();
+  for (size_t i = from; i < to; ++i) {
+    if (planes_.empty() || sweeps_[planes_.back().first].first != sweeps_[i].first) planes_.push_back({i, i});
+    ++planes_.back().second;
+  }
+  const grid::RowKernel chain = grid::choose(run.kernels, stencil::chain_row);
+  std::atomic<size_t> next{0};
+  const size_t hands = std::min<size_t>(crew_.size(), run.field.bands);
+  crew_.all([&](unsigned hand) {
+    if (hand >= hands) return;
+    uint8_t* const scratch = run.field.scratch + hand * run.field.band_bytes;
+    for (size_t i = next++; i < planes_.size(); i = next++) {
+      const evolve::Sweep* const sweep = &sweeps_[planes_[i].first];
+      const size_t count = planes_[i].second - planes_[i].first;
+      if (count == 1 && sweep->row == chain) chain_alone(run, *sweep, scratch);
+      else fused_[hand].run(run.field, {sweep, count, sweep->row == chain, true, run.table, scratch});
+    }
+  });
+}
+
+void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
+  evolve::begin_sweep(run.field, sweep, run.band);
+  const auto do_band = [&](uint8_t i) { evolve::run_band(run.field, sweep, run.table, i, run.band[i], UINT32_MAX); };
+  const size_t bytes = run.field.row_bytes * run.field.height * sweep.count;
+  if (crew_.size() == 1 || run.field.bands == 1 || bytes < kSmallSweep) {
+    for (uint8_t i = 0; i < run.field.bands; ++i) do_band(i);
+    return;
+  }
+  std::atomic<unsigned> next{0};
+  crew_.all([&](unsigned) {
+    for (unsigned i = next++; i < run.field.bands; i = next++) do_band(static_cast<uint8_t>(i));
+  });
+}
+
+// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row
+// from its window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
+static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
+  if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
+  const bool kinetic =
+      run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
+  return kinetic || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
+}
+
+uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
+  const uint32_t steps = std::min({run.stage.steps - run.step, rows / run.field.height, kStepsAtOnce});
+  sweeps_.clear();
+  while (sweeps_.size() < steps && evolve::take_sweep(run)) {
+    sweeps_.push_back(run.sweep);
+    evolve::take_sweep(run);  // the step is complete
+  }
+  const bool bits = run.field.cell == grid::Cell::bit;
+  fused_[0].run(run.field, {sweeps_.data(), sweeps_.size(), false, bits, run.table, run.field.scratch});
+  return static_cast<uint32_t>(sweeps_.size()) * run.field.height;
+}
+
+uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
+  const evolve::Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
+  if (rows / run.field.height < static_cast<uint32_t>(reach.sweeps) + reach.once) return 0;
+  if (crew_.size() == 1 && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);
+  sweeps_.clear();
+  uint32_t done = 0;
+  while (evolve::take_sweep(run)) {
+    sweeps_.push_back(run.sweep);
+    done += run.field.height - 2u * run.sweep.margin;
+  }
+  for (size_t i = 0; i < sweeps_.size();) {
+    const size_t end = passes_from(run, i);
+    if (end > i) by_plane(run, i, end);
+    else by_bands(run, sweeps_[i]);
+    i = end > i ? end : i + 1;
+  }
+  return done;
+}
+
+}  // namespace dapple::desktop

@@ -1,0 +1,33 @@
+// Grows textures on several threads and with passes fused in cache: what Options::driver may point to. Same bytes.
+//
+//   dapple::desktop::Driver driver(2);
+//   options.bands = 2;
+//   options.driver = &driver;
+//
+// Sweeps over single planes go by plane, all others by bands, of which a texture has Options::bands. One texture at a
+// time. SPDX-License-Identifier: MIT
+#pragma once
+#include "../../lib/evolve/run.hpp"
+#include "crew.hpp"
+#include "fused.hpp"
+
+namespace dapple::desktop {
+
+class Driver : public evolve::Driver {
+ public:
+  explicit Driver(unsigned threads);
+
+ private:
+  uint32_t whole_step(evolve::Run& run, uint32_t rows);
+  uint32_t many_steps(evolve::Run& run, uint32_t rows);
+  size_t passes_from(const evolve::Run& run, size_t at) const;
+  void by_plane(const evolve::Run& run, size_t from, size_t to);
+  void by_bands(const evolve::Run& run, const evolve::Sweep& sweep);
+
+  Crew crew_;
+  std::vector<Fused> fused_;           // of each thread
+  std::vector<evolve::Sweep> sweeps_;  // of the step
+  std::vector<std::pair<size_t, size_t>> planes_;
+};
+
+}  // namespace dapple::desktop

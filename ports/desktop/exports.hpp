@@ -1,0 +1,27 @@
+// The row kernels of lib/ that every set has a faster one for: ROW(set, namespace, portable kernel, the set's own).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#define DAPPLE_ROWS(ROW, set)                                 \
+  ROW(set, stencil, pass_row, pass_row)                       \
+  ROW(set, stencil, chain_row, chain_row)                     \
+  ROW(set, stencil, five_row, five_row)                       \
+  ROW(set, stencil, nine_row, nine_row)                       \
+  ROW(set, evolve, narrow_row, kinetic_row)                   \
+  ROW(set, stencil, flux_row, flux_row)                       \
+  ROW(set, stencil, flux_chain_row, flux_chain_row)           \
+  ROW(set, stencil, keep_map_row, keep_map_row)               \
+  ROW(set, stencil, convolve_row, convolve_wide)              \
+  ROW(set, stencil, field_row, field_wide)                    \
+  ROW(set, stencil, steer_row, steer_wide)                    \
+  ROW(set, stencil, steer_field, steer_field_wide)            \
+  ROW(set, threshold, impulse_row, impulse_row)               \
+  ROW(set, threshold, decided_row, decided_row)               \
+  ROW(set, threshold, given_row, given_row)                   \
+  ROW(set, threshold, add_row, add_row)                       \
+  ROW(set, threshold, impulse_styled_row, impulse_styled_row) \
+  ROW(set, threshold, react_row, react_row)                   \
+  ROW(set, gray_scott, react_row, react_row)                  \
+  ROW(set, paint, job_row, painted_row)                       \
+  ROW(set, cells, window_row, window_wide)                    \
+  ROW(set, cells, field_row, field_row)

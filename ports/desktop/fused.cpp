@@ -1,0 +1,137 @@
+// Sweeps fused in cache. See fused.hpp.
+// SPDX-License-Identifier: MIT
+#include "fused.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace dapple::desktop {
+
+constexpr size_t kCache = 192 * 1024;  // bytes that may be on the move at a time
+constexpr size_t kVector = 32, kGroup = 16;
+constexpr size_t kBeyond = 64;  // kernels read beyond a row
+constexpr uint32_t kRowsAtOnce = 8;
+
+static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
+
+// Rows follow each other with room for the halos of two between them.
+void Fused::lay_out(const evolve::Field& field, const Work& work) {
+  uint16_t halo = 0;
+  for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
+  const size_t halo_bytes = (grid::halo_bytes(field.cell, halo) + kGroup - 1) / kGroup * kGroup;
+  const size_t before = rounded_up(halo_bytes + 1);
+  const size_t row =
+      field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
+  pitch_ = row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row);  // short rows: rather no gaps than aligned
+  plane_ = pitch_ * field.height;
+  const size_t buffer = before + plane_ * work.sweep[0].count + kBeyond, wanted = 2 * rounded_up(buffer) + kVector;
+  if (bytes_ < wanted) {
+    memory_.reset(new uint8_t[wanted]);
+    std::memset(memory_.get(), 0, wanted);
+    bytes_ = wanted;
+  }
+  buffer_[0] = memory_.get() + (-reinterpret_cast<uintptr_t>(memory_.get()) & (kVector - 1)) + before;
+  buffer_[1] = buffer_[0] + rounded_up(buffer);
+}
+
+// Rows from y on that a kernel may be given at once: they, and those around them, do not go round the torus.
+static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, uint32_t reach) {
+  const uint32_t height = field.height, before = (y + height - reach) % height, behind = (y + reach) % height;
+  const uint32_t cells = static_cast<uint32_t>(field.cell == grid::Cell::bit ? pitch * 8 : pitch / 2);
+  return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
+}
+
+// The halos of a row of int16, in groups of eight cells: there is room for them.
+static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
+  if (field.cell != grid::Cell::int16 || field.width < halo + 8u)
+    return grid::wrap_row(field.cell, row, field.width, halo);
+  uint8_t* const end = row + size_t{2} * field.width;
+  for (size_t at = 0; at < size_t{2} * halo; at += kGroup) {
+    std::memcpy(end + at, row + at, kGroup);
+    std::memcpy(row - kGroup - at, end - kGroup - at, kGroup);
+  }
+}
+
+void Fused::load(const evolve::Field& field, const Work& work, bool chain, uint32_t rows) {
+  grid::Rows call{};
+  call.scratch = work.scratch;
+  call.n = field.width;
+  call.planes = 1;
+  call.p = work.sweep[0].p;
+  for (; rows > 0; --rows, ++loaded_) {
+    call.y = static_cast<uint16_t>(loaded_);
+    for (uint8_t i = 0; i < work.sweep[0].count; ++i) {
+      call.out[0] = evolve::row_of(field, static_cast<uint8_t>(work.sweep[0].first + i), call.y);
+      if (chain) work.sweep[0].row(call);
+      std::memcpy(row(0, i, loaded_), call.out[0], field.row_bytes);
+      wrap(field, row(0, i, loaded_), stages_[0].sweep->halo);
+    }
+  }
+}
+
+// Row after row of stage k, as many as the stage before allows.
+void Fused::do_stage(const evolve::Field& field, const Work& work, size_t k) {
+  Stage& stage = stages_[k];
+  const evolve::Sweep& sweep = *stage.sweep;
+  const uint32_t height = field.height, before = k == 0 ? loaded_ : stages_[k - 1].done, ahead = 2 * stage.lag;
+  const uint32_t end = before == height ? height : before > ahead ? before - ahead : 0;
+  const bool last = k + 1 == stages_.size();
+  const uint16_t halo = last ? uint16_t{0} : stages_[k + 1].sweep->halo;
+  const uint32_t ring = 2u * sweep.radius + 1, reach = uint32_t{sweep.stride} * sweep.radius;
+  grid::Rows call{};
+  call.p = sweep.p;
+  call.part = sweep.part;
+  call.table = work.table;
+  call.scratch = work.scratch;
+  call.planes = sweep.count;
+  for (uint32_t count; stage.done < end; stage.done += count) {
+    const uint32_t y = (stage.first + stage.done) % height;
+    const uint32_t most = work.rows && !last ? in_one_go(field, pitch_, y, reach) : 1;
+    count = std::max(UINT32_C(1), std::min(end - stage.done, most));
+    const size_t cells = field.cell == grid::Cell::bit ? pitch_ * 8 : pitch_ / 2;
+    call.n = static_cast<uint16_t>((count - 1) * cells + field.width);
+    for (uint8_t i = 0; i < sweep.count; ++i) {
+      for (uint32_t j = 0; j < ring; ++j)
+        call.in[i * ring + j] = row(k, i, (y + height - reach + j * sweep.stride) % height);
+      call.out[i] = last ? evolve::row_of(field, static_cast<uint8_t>(sweep.first + i), static_cast<uint16_t>(y))
+                         : row(k + 1, i, y);
+    }
+    call.y = static_cast<uint16_t>(y);
+    sweep.row(call);
+    for (uint8_t i = 0; i < sweep.count && halo > 0; ++i)
+      for (uint32_t j = 0; j < count; ++j) wrap(field, row(k + 1, i, y + j), halo);
+  }
+}
+
+void Fused::flow(const evolve::Field& field, const Work& work, bool chain) {
+  uint32_t first = 0, before = 0;
+  for (Stage& stage : stages_) {
+    const uint32_t reach = uint32_t{stage.sweep->stride} * stage.sweep->radius;
+    stage.lag = std::max(before, reach);
+    before = reach;
+    first += stage.lag;
+    stage.first = first % field.height;
+    stage.done = 0;
+  }
+  loaded_ = 0;
+  while (stages_.back().done < field.height) {
+    load(field, work, chain, std::min(kRowsAtOnce, field.height - loaded_));
+    for (size_t k = 0; k < stages_.size(); ++k) do_stage(field, work, k);
+  }
+}
+
+void Fused::run(const evolve::Field& field, const Work& work) {
+  lay_out(field, work);
+  for (size_t i = work.chain; i < work.count;) {
+    const bool chain = work.chain && i == 1;
+    stages_.clear();
+    for (size_t lines = 0; i < work.count && (stages_.empty() || lines * 2 * pitch_ * work.sweep[0].count < kCache);
+         ++i) {
+      lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + kRowsAtOnce;
+      stages_.push_back({work.sweep + i, 0, 0, 0});
+    }
+    flow(field, work, chain);
+  }
+}
+
+}  // namespace dapple::desktop

@@ -1,0 +1,157 @@
+// Rows of colours, 128 pixels at a time: what lib/paint/shade.cpp and pack.cpp do pixel by pixel, as loops over arrays
+// of words. Same numbers; bounds are told there. Other views than colours, and dithered formats, go the portable way.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace dapple::paint {
+
+constexpr uint16_t kPixels = 128;
+using Words = int32_t[kPixels];
+
+struct Block {
+  Words rgb[3];
+  Words gx, gy;  // the gradient
+};
+
+// The place in the range, 0..4080: over * 4080 / span. (a + 1/2) / b is at least 1 / 2 b away from a whole number, so
+// the product with 1 / b, good to 52 bits, has the same whole part.
+static void places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, int32_t* DAPPLE_RESTRICT at) {
+  const double inverse = 1.0 / s.span;
+  for (uint16_t i = 0; i < kPixels; ++i) {
+    const int32_t over = base::clamp(here[i] - s.low, 0, s.span);
+    at[i] = static_cast<int32_t>((over * 4080 + 0.5) * inverse);
+  }
+}
+
+// One channel of the ramp. Stretch k counts while all stretches up to it begin at or before the place.
+static void ramp_channel(const Shader& s, uint8_t c, const int32_t* DAPPLE_RESTRICT at, int32_t* DAPPLE_RESTRICT out) {
+  Words begin, from, step;
+  for (uint16_t i = 0; i < kPixels; ++i)
+    begin[i] = s.stretch[0].at, from[i] = s.stretch[0].base[c], step[i] = s.stretch[0].step[c];
+  Words alive;
+  for (uint16_t i = 0; i < kPixels; ++i) alive[i] = -1;
+  for (uint8_t k = 1; k < s.stops; ++k) {
+    const int32_t first = s.stretch[k].at, colour = s.stretch[k].base[c], slope = s.stretch[k].step[c];
+    for (uint16_t i = 0; i < kPixels; ++i) {
+      const int32_t takes = alive[i] & -(first <= at[i] >> 4);
+      alive[i] = takes;
+      begin[i] ^= (begin[i] ^ first) & takes;
+      from[i] ^= (from[i] ^ colour) & takes;
+      step[i] ^= (step[i] ^ slope) & takes;
+    }
+  }
+  for (uint16_t i = 0; i < kPixels; ++i) {
+    const int32_t past = at[i] - 16 * begin[i], over = past < 0 ? 0 : past;
+    const int32_t move = static_cast<int16_t>((step[i] * over + 1024) >> 8);
+    out[i] = base::clamp(from[i] + (move >> 3), 0, 255);
+  }
+}
+
+// Differences beyond `limit` give a slope that is held anyway: 2^26 >> 16 is beyond it, and the product fits.
+static void slopes(const Shader& s, const int16_t* DAPPLE_RESTRICT a, const int16_t* DAPPLE_RESTRICT b,
+                   int32_t* DAPPLE_RESTRICT out) {
+  const int32_t size = s.slope < 0 ? -s.slope : s.slope, limit = base::min(131072, (1 << 26) / size + 2);
+  for (uint16_t i = 0; i < kPixels; ++i) {
+    const int32_t difference = base::clamp(static_cast<int32_t>(a[i]) - b[i], -limit, limit);
+    out[i] = base::clamp((difference * s.slope) >> 16, -kLargestSlope, kLargestSlope);
+  }
+}
+constexpr int32_t kLargestFactor = 1 << 28;
+
+static void lit(const Shader& s, Block& block) {
+  Words square, inverse, bright, shine;
+  for (uint16_t i = 0; i < kPixels; ++i) square[i] = block.gx[i] * block.gx[i] + block.gy[i] * block.gy[i] + 65536;
+  base::inverse_roots(square, inverse, kPixels);
+  for (uint16_t i = 0; i < kPixels; ++i) {
+    const int32_t length = inverse[i] >> 4;
+    const int32_t light = ((256 * kLightZ - block.gx[i] * kLightX - block.gy[i] * kLightY) * length) >> 20;
+    bright[i] = base::max(light, 40) * 256 / kLightZ;
+    int32_t f = base::clamp(((256 * kHalfZ - block.gx[i] * kHalfX - block.gy[i] * kHalfY) * length) >> 20, 0, 256);
+    f = (f * f) >> 8;
+    f = (f * f) >> 8;
+    f = (f * f) >> 8;
+    f = (f * f) >> 8;
+    shine[i] = base::max(f - 53, 0) * s.gloss >> 8;
+  }
+  for (Words& channel : block.rgb)
+    for (uint16_t i = 0; i < kPixels; ++i) channel[i] = base::clamp(((channel[i] * bright[i]) >> 8) + shine[i], 0, 255);
+}
+
+static void grained(const Shader& s, const Source& f, int32_t x, Block& block) {
+  const base::RowKey key = base::row_key(s.seed, kGrainStream, f.world_y);
+  Words bright;
+  for (int32_t i = 0; i < kPixels; ++i) {
+    const int32_t noise = static_cast<int32_t>(base::hash(key, f.world_x + x + i) >> 24) - 128;
+    bright[i] = 256 + ((noise * s.grain) >> 7);
+  }
+  for (Words& channel : block.rgb)
+    for (uint16_t i = 0; i < kPixels; ++i) channel[i] = base::clamp((channel[i] * bright[i]) >> 8, 0, 255);
+}
+
+// reduce(), undithered.
+static inline int32_t reduced(int32_t value, int32_t levels) {
+  const int32_t x = value * levels + 127;
+  return (x + 1 + (x >> 8)) >> 8;
+}
+
+static void put_565s(const Block& b, bool swapped, uint8_t* DAPPLE_RESTRICT to, uint16_t n) {
+  uint16_t pixel[kPixels];
+  for (uint16_t i = 0; i < kPixels; ++i) {
+    const int32_t value = (reduced(b.rgb[0][i], 31) << 11) | (reduced(b.rgb[1][i], 63) << 5) | reduced(b.rgb[2][i], 31);
+    pixel[i] = static_cast<uint16_t>(swapped ? (value >> 8) | (value << 8) : value);
+  }
+  base::copy_bytes(to, pixel, size_t{2} * n);
+}
+
+static void put_8888s(const Block& b, uint8_t* DAPPLE_RESTRICT to, uint16_t n) {
+  uint32_t pixel[kPixels];
+  for (uint16_t i = 0; i < kPixels; ++i)
+    pixel[i] = static_cast<uint32_t>(b.rgb[0][i] | (b.rgb[1][i] << 8) | (b.rgb[2][i] << 16)) | UINT32_C(0xff000000);
+  base::copy_bytes(to, pixel, size_t{4} * n);
+}
+
+static void put_pixels(const Brush& brush, const Source& source, const Block& b, uint16_t x, uint16_t n, uint8_t* row) {
+  if (brush.format == Pixels::rgba8888) return put_8888s(b, row + size_t{4} * x, n);
+  if (!brush.dither && brush.format == Pixels::rgb565) return put_565s(b, false, row + size_t{2} * x, n);
+  if (!brush.dither && brush.format == Pixels::rgb565_swapped) return put_565s(b, true, row + size_t{2} * x, n);
+  uint8_t rgb[3 * kPixels];
+  for (uint16_t i = 0; i < n; ++i)
+    for (uint8_t c = 0; c < 3; ++c) rgb[3 * i + c] = static_cast<uint8_t>(b.rgb[c][i]);
+  if (brush.format == Pixels::rgb888) return base::copy_bytes(row + size_t{3} * x, rgb, size_t{3} * n);
+  pack(brush, source, rgb, x, static_cast<uint8_t>(n), row);
+}
+
+// Rows of the field of at most kPixels cells, with one more on either side, where loops of whole blocks may read.
+struct Field {
+  int16_t above[kPixels], here[kPixels + 2], below[kPixels];
+};
+static void fetch(const Source& f, uint16_t x, uint16_t n, Field& field) {
+  base::copy_bytes(field.above, f.above + x, size_t{2} * n);
+  base::copy_bytes(field.here, f.here + x - 1, size_t{2} * (n + 2u));
+  base::copy_bytes(field.below, f.below + x, size_t{2} * n);
+}
+
+static void painted_row(const grid::Rows& rows) {
+  const Job& job = *static_cast<const Job*>(rows.in[0]);
+  const Shader& s = *job.shader;
+  const Source& f = *job.source;
+  if (s.view != View::colour || s.slope >= kLargestFactor || s.slope <= -kLargestFactor) return job_row(rows);
+  for (uint32_t x = 0; x < f.width; x += kPixels) {
+    const uint16_t n = static_cast<uint16_t>(base::min(kPixels, static_cast<int32_t>(f.width - x)));
+    Field field{};
+    Block block;
+    Words at;
+    fetch(f, static_cast<uint16_t>(x), n, field);
+    places(s, field.here + 1, at);
+    for (uint8_t c = 0; c < 3; ++c) ramp_channel(s, c, at, block.rgb[c]);
+    if (s.slope != 0) {
+      slopes(s, field.here + 2, field.here, block.gx);
+      slopes(s, field.below, field.above, block.gy);
+      lit(s, block);
+    }
+    if (s.grain != 0) grained(s, f, static_cast<int32_t>(x), block);
+    put_pixels(*job.brush, f, block, static_cast<uint16_t>(x), n, job.row);
+  }
+}
+
+}  // namespace dapple::paint

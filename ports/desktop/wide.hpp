@@ -1,0 +1,102 @@
+// A vector of DAPPLE_WIDE bytes as a machine word: what the templates of bit-sliced kernels (lib/stencil/slices.hpp)
+// ask of one. GNU vector types, so that one text serves SSE2, AVX2, NEON and simd128. SPDX-License-Identifier: MIT
+#pragma once
+#include "../../lib/stencil/slices.hpp"
+
+namespace dapple::stencil {
+
+typedef uint64_t Lanes __attribute__((vector_size(DAPPLE_WIDE)));
+constexpr uint8_t kLanes = DAPPLE_WIDE / 8;
+static_assert(kLanes == 2 || kLanes == 4, "vectors of 16 or 32 bytes");
+
+struct Wide {
+  Lanes lanes;
+
+  Wide() = default;
+  Wide(Lanes l) : lanes(l) {}
+  Wide(int value) : lanes(Lanes{} + static_cast<uint64_t>(static_cast<int64_t>(value))) {}  // in every lane
+  Wide operator~() const { return ~lanes; }
+  Wide operator-(Wide b) const { return lanes - b.lanes; }
+  Wide operator&(Wide b) const { return lanes & b.lanes; }
+  Wide operator|(Wide b) const { return lanes | b.lanes; }
+  Wide operator^(Wide b) const { return lanes ^ b.lanes; }
+  Wide& operator&=(Wide b) { return *this = *this & b; }
+  Wide& operator|=(Wide b) { return *this = *this | b; }
+  Wide& operator^=(Wide b) { return *this = *this ^ b; }
+};
+
+// Lane i from lane i - 1, the first from `first`; and lane i from lane i + 1, the last from `last`.
+template <class L>
+inline L moved_up(L l, uint64_t first) {
+  const L other = {first};
+  if constexpr (sizeof(L) == 16) return __builtin_shufflevector(l, other, 2, 0);
+  else return __builtin_shufflevector(l, other, 4, 0, 1, 2);
+}
+template <class L>
+inline L moved_down(L l, uint64_t last) {
+  const L other = {last};
+  if constexpr (sizeof(L) == 16) return __builtin_shufflevector(l, other, 1, 2);
+  else return __builtin_shufflevector(l, other, 1, 2, 3, 4);
+}
+
+// Lanes hold cells in memory order on little-endian machines, which all of these are.
+inline Lanes load_lanes(const uint8_t* from) {
+  Lanes lanes;
+  base::copy_bytes(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+// Words moved by one to eight cells: `back` holds cells x - k, `on` cells x + k. before, after: the bytes around them.
+inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
+  const Lanes here = load_lanes(row + at);
+  const Lanes before = moved_up(here, static_cast<uint64_t>(*(row + at - 1)) << 56),
+              after = moved_down(here, row[at + sizeof here]);
+  copy[r] = here;
+  for (uint8_t k = 1; k <= r; ++k) {
+    copy[r - k] = (here << k) | (before >> (64 - k));
+    copy[r + k] = (here >> k) | (after << (64 - k));
+  }
+}
+
+// The first bytes of a word, as many as there are left of a row.
+inline void store_cells(uint8_t* out, size_t at, uint16_t n, Wide cells) {
+  const size_t bytes = (n + 7u) / 8 - at;
+  if (bytes >= sizeof cells) return base::copy_bytes(out + at, &cells, sizeof cells);
+  uint8_t all[sizeof cells];
+  base::copy_bytes(all, &cells, sizeof cells);
+  size_t i = 0;
+  for (; i + 8 <= bytes; i += 8) base::copy_bytes(out + at + i, all + i, 8);
+  for (; i < bytes; ++i) out[at + i] = all[i];
+}
+
+// Exchanges the part of a above `shift` bits with the part of b below, in every block of twice as many bits.
+inline void exchange(Lanes& a, Lanes& b, uint8_t shift, uint64_t low) {
+  const Lanes t = ((a >> shift) ^ b) & low;
+  b ^= t;
+  a ^= t << shift;
+}
+
+// Every cell of a bit-sliced number whose values fit int8: in every lane a matrix of 8 x 8 bytes is turned, so that a
+// word has the bits of eight cells, and then those bits (stencil::turned).
+inline void values_of(const Wide* sum, int8_t* out) {
+  Lanes w[8];
+  for (uint8_t k = 0; k < 8; ++k) w[k] = sum[k].lanes;
+  for (uint8_t k = 0; k < 4; ++k) exchange(w[k], w[k + 4], 32, UINT64_C(0x00000000ffffffff));
+  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 1 + (k & 1) * 2))
+    exchange(w[k], w[k + 2], 16, UINT64_C(0x0000ffff0000ffff));
+  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 2)) exchange(w[k], w[k + 1], 8, UINT64_C(0x00ff00ff00ff00ff));
+  for (uint8_t k = 0; k < 8; ++k) {
+    Lanes x = w[k], t = (x ^ (x >> 7)) & UINT64_C(0x00aa00aa00aa00aa);
+    x ^= t ^ (t << 7);
+    t = (x ^ (x >> 14)) & UINT64_C(0x0000cccc0000cccc);
+    x ^= t ^ (t << 14);
+    t = (x ^ (x >> 28)) & UINT64_C(0x00000000f0f0f0f0);
+    x ^= t ^ (t << 28);
+    for (uint8_t lane = 0; lane < kLanes; ++lane) {
+      const uint64_t eight = x[lane];
+      base::copy_bytes(out + 64 * lane + 8 * k, &eight, sizeof eight);
+    }
+  }
+}
+
+}  // namespace dapple::stencil

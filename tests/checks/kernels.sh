@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Every table of ports/desktop gives what tests/golden/small.txt says: those of this processor under the address and undefined
+# behaviour sanitizers, the one of AArch64 under emulation.
+#   kernels.sh --packages    the commands it takes, with their packages
+# SPDX-License-Identifier: MIT
+if [ "${1:-}" = --packages ]; then
+  echo aarch64-linux-gnu-g++:g++-aarch64-linux-gnu qemu-aarch64-static:qemu-user-static
+  exit
+fi
+. "$(dirname "$0")/common.bash"
+need g++ aarch64-linux-gnu-g++ qemu-aarch64-static
+desktop=$root/ports/desktop
+sanitize="-g -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+# set_object COMPILER NAME BYTES OPTIONS...: $scratch/NAME.o
+set_object() {
+  local compiler=$1 name=$2 bytes=$3
+  shift 3
+  $compiler -std=c++17 -O2 -fno-exceptions -fno-rtti "$@" -DDAPPLE_SET="$name" -Ddapple="dapple_$name" -DDAPPLE_WIDE="$bytes" \
+    -c "$desktop/set.cpp" -o "$scratch/$name.o" || fail "$name does not compile"
+}
+
+# compare NAME COMPILER RUNNER OPTIONS...: the program with the table NAME
+compare() {
+  local name=$1 compiler=$2 runner=$3
+  shift 3
+  $compiler -std=c++17 -O1 "$@" -DDAPPLE_TABLE="\"$name\"" -I"$root/lib" -I"$desktop" "$root/tests/checks/small_goldens.cpp" \
+    "$root/lib/one.cpp" "$desktop/tables.cpp" -o "$scratch/$name" || { fail "$name: does not compile"; return; }
+  $runner "$scratch/$name" > "$scratch/$name.txt" 2> "$scratch/$name.err" || fail "$name: $(head -20 "$scratch/$name.err")"
+  cmp -s "$scratch/$name.txt" "$root/tests/golden/small.txt" ||
+    fail "$name: $(diff "$scratch/$name.txt" "$root/tests/golden/small.txt" | head -4)"
+}
+
+if [ "$(uname -m)" = x86_64 ]; then
+  # shellcheck disable=SC2086
+  set_object g++ sse2 16 $sanitize
+  # shellcheck disable=SC2086
+  set_object g++ avx2 32 -mavx2 -mbmi -mbmi2 -mfma $sanitize
+  # shellcheck disable=SC2086
+  compare sse2 g++ "" $sanitize -DDAPPLE_X86 "$scratch/sse2.o" "$scratch/avx2.o"
+  # shellcheck disable=SC2086
+  grep -qw avx2 /proc/cpuinfo && compare avx2 g++ "" $sanitize -DDAPPLE_X86 "$scratch/sse2.o" "$scratch/avx2.o"
+fi
+set_object aarch64-linux-gnu-g++ neon 16
+compare neon aarch64-linux-gnu-g++ qemu-aarch64-static -static -DDAPPLE_ARM "$scratch/neon.o"
+finish

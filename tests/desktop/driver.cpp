@@ -1,0 +1,114 @@
+// The driver of ports/desktop: any number of threads, passes fused in cache, any budget, the same bytes.
+// SPDX-License-Identifier: MIT
+#include "../goldens.hpp"
+#include "driver.hpp"
+#include "tables.hpp"
+
+namespace desktop = dapple::desktop;
+
+namespace {
+
+uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
+                 uint32_t budget) {
+  tests::Grown tile(recipe, domain, 5, budget, options);
+  REQUIRE(tile.status == dapple::ok);
+  return tile.field_hash();
+}
+
+}  // namespace
+
+TEST_CASE("driver: every preset has its goldens on 1, 2, 3 and 8 threads") {
+  for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+    desktop::Driver driver(threads);
+    for (const tests::Golden& g : tests::read_goldens()) {
+      const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
+      if (threads > 2 && recipe.stage[0].steps > 500) continue;  // thousands of steps of more threads than processors
+      const dapple::Domain domain = dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height));
+      dapple::Options options;
+      options.bands = static_cast<uint8_t>(threads);
+      options.driver = &driver;
+      options.kernels = desktop::best_table().kernels;
+      tests::Grown tile(recipe, domain, g.seed, UINT32_MAX, options);
+      REQUIRE(tile.status == dapple::ok);
+      CAPTURE(threads);
+      CAPTURE(std::string(g.name));
+      CHECK(tile.field_hash() == g.field);
+    }
+  }
+}
+
+TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budgets within a step") {
+  desktop::Driver driver(2);
+  const char* const recipes[] = {"threshold scale=2.2 stretch=2 angle=78 steps=3",
+                                 "threshold scale=6 stretch=4 angle=33 steps=3",
+                                 "threshold pairs=3 scale=3 stretch=3 angles=0,60,120 steps=3",
+                                 "threshold scale=4 diffusion=isotropic steps=4",
+                                 "threshold scale=3 stretch=5 angle=90 steps=3",
+                                 "threshold scale=3 stretch=5 angle=0 steps=3"};
+  for (const char* text : recipes) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    for (const tests::Size size :
+         {tests::Size{400, 200}, tests::Size{201, 403}, tests::Size{4000, 210}, tests::Size{20000, 230}}) {
+      const dapple::Domain domain = dapple::torus(size.width, size.height);
+      if (dapple::need_for(recipe, domain).status != dapple::ok) continue;
+      CAPTURE(std::string(text));
+      CAPTURE(size.width);
+      const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+      dapple::Options options;
+      options.bands = 2;
+      options.driver = &driver;
+      for (const uint32_t budget : {UINT32_MAX, 100000u, 7000u})
+        CHECK(hash_of(recipe, domain, options, budget) == want);
+      options.kernels = desktop::best_table().kernels;
+      CHECK(hash_of(recipe, domain, options, UINT32_MAX) == want);
+    }
+  }
+}
+
+TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
+  desktop::Driver driver(1);
+  for (const char* text :
+       {"gray-scott feed=0.0367 kill=0.0649 steps=70", "cells rule=0xB5A3C96E steps=70", "bits level=0 steps=7"}) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    for (const tests::Size size : {tests::Size{200, 96}, tests::Size{131, 77}, tests::Size{2000, 80}}) {
+      const dapple::Domain domain = dapple::torus(size.width, size.height);
+      CAPTURE(std::string(text));
+      CAPTURE(size.width);
+      const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
+        if (!desktop::table_at(i).runs()) continue;
+        dapple::Options options;
+        options.kernels = desktop::table_at(i).kernels;
+        options.driver = &driver;
+        for (const uint32_t budget : {UINT32_MAX, 1000u, 50u}) CHECK(hash_of(recipe, domain, options, budget) == want);
+      }
+    }
+  }
+}
+
+TEST_CASE("driver: a step that does not fit the budget is done row by row, and progress counts alike") {
+  desktop::Driver driver(2);
+  dapple::Options options;
+  options.bands = 2;
+  options.driver = &driver;
+  const dapple::Recipe recipe = tests::preset_with("weave", "steps=4");
+  tests::Grown driven(recipe, dapple::torus(96, 80), 5, UINT32_MAX, options),
+      small(recipe, dapple::torus(96, 80), 5, 90, options);
+  CHECK(driven.texture.rows_done() == driven.texture.rows_in_all());
+  CHECK(small.texture.rows_done() == small.texture.rows_in_all());
+  CHECK(driven.field_hash() == small.field_hash());
+}
+
+TEST_CASE("driver: windows, in blocks too") {
+  desktop::Driver driver(3);
+  dapple::Options options;
+  options.bands = 3;
+  options.driver = &driver;
+  options.kernels = desktop::best_table().kernels;
+  for (const char* name : {"zebra", "zebra-bits", "fingerprint", "coral-bits"}) {
+    const dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
+    const dapple::Domain domain = dapple::window(-70, 1000, 90, 60);
+    CAPTURE(std::string(name));
+    CHECK(hash_of(recipe, domain, options, UINT32_MAX) == hash_of(recipe, domain, dapple::Options{}, UINT32_MAX));
+  }
+}

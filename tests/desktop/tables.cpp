@@ -1,0 +1,101 @@
+// Every table of ports/desktop that this processor can run has the bytes of the portable kernels: all goldens, rows of
+// every width, tori and windows whose width is no multiple of anything.
+// SPDX-License-Identifier: MIT
+#include "../goldens.hpp"
+#include "rows.hpp"
+#include "tables.hpp"
+
+namespace desktop = dapple::desktop;
+
+namespace {
+
+// Calls back for every table but the portable one.
+template <class Work>
+void each_table(const Work& work) {
+  for (uint8_t i = 1; i < desktop::table_count(); ++i) {
+    const desktop::Table& table = desktop::table_at(i);
+    INFO("table " << std::string(table.name));
+    if (table.runs()) work(table);
+    else MESSAGE("this processor cannot run " << std::string(table.name));
+  }
+}
+
+uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
+                 uint32_t budget) {
+  tests::Grown tile(recipe, domain, 11, budget, options);
+  REQUIRE(tile.status == dapple::ok);
+  return tile.field_hash();
+}
+
+constexpr const char* kRecipes[] = {
+    "bits masks=1 level=0 steps=6",
+    "bits masks=1 diffusion=isotropic level=0 window=5 rho=0.2 steps=5",
+    "bits masks=3 angles=10,70,130 window=8 level=0 rho=0.2 steps=4",
+    "bits masks=2 react=da angles=0,90 level=0 steps=5",
+    "bits masks=5 react=da angles=0,36,72,108,144 level=0 steps=3",
+    "flow threads=2 angles=0,90 level=0 steps=3",
+    "cells rule=0xB5A3C96E steps=9",
+    "cells rule=0x12345678 steps=9",
+};
+
+}  // namespace
+
+TEST_CASE("desktop: the first table is the portable one, the best one runs, names find tables") {
+  CHECK(std::string(desktop::table_at(0).name) == "portable");
+  CHECK(desktop::table_at(0).kernels == nullptr);
+  CHECK(desktop::best_table().runs());
+  for (uint8_t i = 0; i < desktop::table_count(); ++i)
+    CHECK(desktop::table_named(desktop::table_at(i).name) == &desktop::table_at(i));
+  CHECK(desktop::table_named("sse") == nullptr);
+  CHECK(desktop::table_named("") == nullptr);
+}
+
+TEST_CASE("desktop: every table has the goldens") {
+  const std::vector<tests::Golden> goldens = tests::read_goldens();
+  each_table([&](const desktop::Table& table) {
+    for (const tests::Golden& g : goldens) {
+      const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
+      dapple::Options options;
+      options.kernels = table.kernels;
+      const dapple::Domain domain = dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height));
+      tests::Grown tile(recipe, domain, g.seed, UINT32_MAX, options);
+      REQUIRE(tile.status == dapple::ok);
+      CAPTURE(std::string(g.name));
+      CHECK(tile.field_hash() == g.field);
+      CHECK(tile.paint_hash() == g.pixels);
+    }
+  });
+}
+
+TEST_CASE("desktop: rows of 1 to 130 cells at every offset") {
+  std::vector<uint32_t> memory(kRowsMemory / 4);
+  each_table([&](const desktop::Table& table) {
+    uint32_t compared = 0;
+    for (const dapple::grid::KernelSwap* swap = table.kernels; swap->portable != nullptr; ++swap) {
+      const RowsCompared rows = compare_rows(*swap, memory.data());
+      compared += rows.equal;
+      if (rows.equal > 0) CHECK(rows.different == 0);
+    }
+    CHECK(compared >= 5 * 130 * 8);
+  });
+}
+
+TEST_CASE("desktop: one-bit cells on tori and windows of any width, bands, budgets") {
+  each_table([&](const desktop::Table& table) {
+    for (const char* text : kRecipes) {
+      const dapple::Recipe recipe = tests::recipe_of(text);
+      CAPTURE(std::string(text));
+      for (uint16_t width = 60; width < 620; width = static_cast<uint16_t>(width * 9 / 7)) {
+        CAPTURE(width);
+        for (const dapple::Domain& domain : {dapple::torus(width, 67), dapple::window(3 * width, -500, width, 40)}) {
+          const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+          dapple::Options options;
+          options.kernels = table.kernels;
+          CHECK(hash_of(recipe, domain, options, UINT32_MAX) == want);
+          options.bands = 3;
+          CHECK(hash_of(recipe, domain, options, 17) == want);
+        }
+      }
+    }
+  });
+}
