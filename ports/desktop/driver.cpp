@@ -11,6 +11,7 @@ namespace dapple::desktop {
 
 constexpr uint32_t kSmallSweep = 4096;  // bytes; below, bands are done one after the other
 constexpr uint32_t kStepsAtOnce = 32;
+constexpr size_t kSmallPlanes = 512 * 1024;  // bytes
 
 Driver::Driver(unsigned threads)
     : evolve::Driver{[](evolve::Driver& driver, evolve::Run& run, uint32_t rows) {
@@ -101,7 +102,9 @@ uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
 uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
   const evolve::Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
   if (rows / run.field.height < static_cast<uint32_t>(reach.sweeps) + reach.once) return 0;
-  if (crew_.size() == 1 && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);
+  // Small planes: steps fused on one thread take less time than waiting for each other after every step.
+  const bool small = run.field.row_bytes * run.field.height * run.model.planes(run.stage.number) <= kSmallPlanes;
+  if ((crew_.size() == 1 || small) && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);
   sweeps_.clear();
   uint32_t done = 0;
   while (evolve::take_sweep(run)) {

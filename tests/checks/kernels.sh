@@ -16,7 +16,7 @@ sanitize="-g -fsanitize=address,undefined -fno-sanitize-recover=all"
 set_object() {
   local compiler=$1 name=$2 bytes=$3
   shift 3
-  $compiler -std=c++17 -O2 -fno-exceptions -fno-rtti "$@" -DDAPPLE_SET="$name" -Ddapple="dapple_$name" -DDAPPLE_WIDE="$bytes" \
+  $compiler -std=c++17 -O1 -fno-exceptions -fno-rtti "$@" -DDAPPLE_SET="$name" -Ddapple="dapple_$name" -DDAPPLE_WIDE="$bytes" \
     -c "$desktop/set.cpp" -o "$scratch/$name.o" || fail "$name does not compile"
 }
 

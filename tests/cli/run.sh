@@ -75,6 +75,8 @@ test_bytes() {
   equal "--threads 5" "$(hash_of coral --size 64x48 --seed 7 --threads 5)" "$whole"
   equal "--threads 64 --budget 3" "$(hash_of coral --size 64x48 --seed 0x7 --threads 64 --budget 3)" "$whole"
   equal "--kernels portable" "$(hash_of coral --size 64x48 --seed 7 --kernels portable)" "$whole"
+  equal "--threads 2, whole steps" "$(hash_of coral --size 64x48 --seed 7 --threads 2 --budget 4000000)" "$whole"
+  check "bench compares tables" grep -q '"kernels": "portable"' <("$dapple" bench "cell program 512" --json)
   equal "the last word wins" "$(hash_of coral --seed 9 --size 64x48 --kernels best --seed 7)" "$whole"
   equal "key=value" "$(hash_of zebra scale=1.9 rho=0.02 --size 64)" "$(hash_of zebra 'rho=0.02 scale=1.9' --size 64)"
   equal "family alone" "$(hash_of threshold pairs=2 --size 64)" "$(hash_of 'threshold pairs=2' --size 64)"
@@ -253,6 +255,7 @@ test_usage_errors() {
   refused 2 "--ramp 'mauve'" ember stops -- grow zebra --ramp mauve
   refused 2 "--ramp 'ember rho=0.1'" -- grow zebra --ramp 'ember rho=0.1'
   refused 2 "--kernels 'sse'" portable best -- grow zebra --kernels sse
+  refused 2 "'nothing-like-it'" -- bench nothing-like-it
   refused 2 --flip-y normal -- grow zebra --flip-y
   refused 2 "-o 'x.bmp'" .png .qoi -- grow zebra -o x.bmp
   refused 2 "-o 'x'" .png -- grow zebra -o x
