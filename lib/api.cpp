@@ -31,7 +31,7 @@ Status Texture::start(const Recipe& checked, const Recipe* stored, bool rom, con
   const evolve::Plan plan = {&stored->start, stored->stage, checked.stages, rom};
   const Domain grown = api::with_edge(domain);
   evolve::Ghosts ghosts{};
-  if (domain.patches != nullptr) ghosts.seal = evolve::seal_row;
+  if (domain.patches != nullptr) ghosts.seal = domain.patches->work->seal_row;
   const evolve::Setup setup = {plan,           grown, api::ground_of(domain, wanted), parts, base::aligned4(memory),
                                options.kernels, seed,  options.bands, ghosts, options.driver};
   lay_out(setup, stored, domain);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ghosts.hpp"
 
+#include "../stencil/maps.hpp"
+
 namespace dapple::evolve {
 
 // An entry: the byte of the source's cell, counted from plane 0 of patch 0; or one of the fixed sides.
@@ -74,3 +76,9 @@ void seal_row(Run& run) {
 }
 
 }  // namespace dapple::evolve
+
+namespace dapple::grid {
+
+extern const PatchWork patch_work = {evolve::seal_row, stencil::patch_row, source_of};
+
+}  // namespace dapple::grid

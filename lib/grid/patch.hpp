@@ -4,6 +4,11 @@
 #pragma once
 #include "../base/fixed.hpp"
 
+namespace dapple::grid {
+struct PatchWork;
+extern const PatchWork patch_work;
+}  // namespace dapple::grid
+
 namespace dapple {
 
 constexpr uint8_t kSides = 4;
@@ -33,6 +38,7 @@ struct Patches {
   const Patch* patch;
   uint8_t count;  // 1..kMostPatches
   uint16_t width, height;
+  const grid::PatchWork* work = &grid::patch_work;  // what copies ghost cells: programs without patches link none of it
 };
 constexpr uint8_t kMostPatches = 64;
 
@@ -75,6 +81,13 @@ constexpr Unpaired first_unpaired(const Patches& all) {
 
 }  // namespace dapple
 
+namespace dapple::evolve {
+struct Run;
+}
+namespace dapple::stencil {
+struct DirectionMap;
+}
+
 namespace dapple::grid {
 
 // Where a cell of a patch or of its ring lies. Axes may be exchanged or mirrored there: a tensor's xx and yy change
@@ -89,5 +102,12 @@ struct Source {
 // (x, y) against cell (0, 0) of the patch, at most a patch's size beyond its sides; sizes of this grid. Corners of the
 // ring go across left and right first.
 Source source_of(const Patches& all, uint8_t level, uint8_t patch, int32_t x, int32_t y);
+
+// What sweeps do on patches and nowhere else.
+struct PatchWork {
+  void (*seal_row)(evolve::Run& run);                                                                     // ghosts.hpp
+  void (*map_row)(const stencil::DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);  // maps.hpp
+  Source (*source_of)(const Patches& all, uint8_t level, uint8_t patch, int32_t x, int32_t y);
+};
 
 }  // namespace dapple::grid

@@ -36,7 +36,7 @@ struct Reader {
   Word schedule, length;       // the last schedule and the last scale read
 };
 
-constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {
+DAPPLE_APART constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {
   r.trouble = {status, static_cast<uint16_t>(word.text - r.origin + 1), word, low, high, whole, allowed, 0};
   return false;
 }

@@ -93,15 +93,7 @@ static void link_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT
   for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] >> 1) + (to[x] >> 1));
 }
 
-// A stage of a plane: with q = mean + slope * lean the share of a link, 1/unit,
-//   t = clamp(q - before, 0, cap);  weight = 2 mulhi(t << shift, factor) <= 16384, Q16.
-// cap << shift is 16384..32767, so that the weight keeps 13 bits.
-struct Stage {
-  i16 slope, offset, cap, factor;
-  i16 mean, before;  // offset is mean - before
-  uint8_t shift;
-};
-static Stage stage_of(const Spread& p, uint8_t way, uint8_t stage) {
+static FluxStage stage_of(const Spread& p, uint8_t way, uint8_t stage) {
   const int32_t stride = stride_of(stage), cap = stride * stride * (p.unit / 2);
   uint8_t shift = 0;
   while ((cap << shift) < 16384) ++shift;
@@ -118,24 +110,24 @@ static Stage stage_of(const Spread& p, uint8_t way, uint8_t stage) {
 // What a link carries: floor(weight * (to - from) / 2^16 + 1/2), in 16 bits throughout: |2 (to - from)| <= 32000, and
 // floor((floor(2 a) + 1) / 2) = floor(a + 1/2). (The loops stay functions of their own: where a compiler sees that the
 // factor is positive it multiplies in 32 bits.)
-static inline i16 carried_of(i16 q, i16 from, i16 to, Stage s) {
+static inline i16 carried_of(i16 q, i16 from, i16 to, FluxStage s) {
   const i16 t = positive(q < s.cap ? q : s.cap);
   const i16 weight = static_cast<i16>(2 * mulhi(static_cast<i16>(static_cast<uint16_t>(t) << s.shift), s.factor));
   const i16 d = static_cast<i16>(to - from);
   return static_cast<i16>((mulhi(static_cast<i16>(2 * d), weight) + 1) >> 1);
 }
-static inline i16 carried(i16 link, i16 from, i16 to, Stage s) {
+static inline i16 carried(i16 link, i16 from, i16 to, FluxStage s) {
   return carried_of(static_cast<i16>(mulhi(link, s.slope) + s.offset), from, to, s);
 }
 // Where styles shorten the wavelength the share is less by its lack, Q15: q (1 - lack).
-static inline i16 carried_less(i16 link, i16 lack, i16 from, i16 to, Stage s) {
+static inline i16 carried_less(i16 link, i16 lack, i16 from, i16 to, FluxStage s) {
   const i16 q = static_cast<i16>(mulhi(link, s.slope) + s.mean);
   return carried_of(static_cast<i16>(q - static_cast<i16>(2 * mulhi(q, lack)) - s.before), from, to, s);
 }
 // On a surface the mean is the link's own.
 DAPPLE_APART static void carry_mean(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT mean,
                                     const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
-                                    i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+                                    i16* DAPPLE_RESTRICT flux, uint16_t n, FluxStage s) {
   for (uint16_t x = 0; x < n; ++x)
     flux[x] =
         carried_of(static_cast<i16>(mulhi(link[x], s.slope) + static_cast<i16>(mean[x] - s.before)), from[x], to[x], s);
@@ -146,13 +138,13 @@ static void mean_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT
   for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] + to[x]) >> 1);
 }
 DAPPLE_APART static void carry_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
-                                   const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+                                   const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT flux, uint16_t n, FluxStage s) {
   for (uint16_t x = 0; x < n; ++x) flux[x] = carried(link[x], from[x], to[x], s);
 }
 // The same, and what comes of it: plus what comes from ahead, less what went on from behind.
 DAPPLE_APART static void move_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
                                   const i16* DAPPLE_RESTRICT to, const i16* DAPPLE_RESTRICT behind,
-                                  i16* DAPPLE_RESTRICT flux, i16* DAPPLE_RESTRICT out, uint16_t n, Stage s) {
+                                  i16* DAPPLE_RESTRICT flux, i16* DAPPLE_RESTRICT out, uint16_t n, FluxStage s) {
   for (uint16_t x = 0; x < n; ++x) {
     const i16 ahead = carried(link[x], from[x], to[x], s);
     flux[x] = ahead;
@@ -162,7 +154,7 @@ DAPPLE_APART static void move_row(const i16* DAPPLE_RESTRICT link, const i16* DA
 
 DAPPLE_APART static void carry_less(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT lack,
                                     const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
-                                    i16* DAPPLE_RESTRICT flux, uint16_t n, Stage s) {
+                                    i16* DAPPLE_RESTRICT flux, uint16_t n, FluxStage s) {
   for (uint16_t x = 0; x < n; ++x) flux[x] = carried_less(link[x], lack[x], from[x], to[x], s);
 }
 
@@ -171,18 +163,12 @@ static void add_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT 
   for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>(from[x] + ahead[x] - behind[x]);
 }
 
-// The kernels' scratch rows.
-struct Work {
-  uint8_t* base;
-  size_t row;
-  uint16_t n, halo;
-};
-static Work work_of(const grid::Rows& rows, const FluxSet& set) {
+static FluxWork work_of(const grid::Rows& rows, const FluxSet& set) {
   return {rows.scratch + grid::halo_bytes(Cell::int16, set.halo), grid::scratch_bytes(Cell::int16, rows.n, set.halo),
           rows.n, set.halo};
 }
-static i16* slot(const Work& w, uint8_t i) { return reinterpret_cast<i16*>(w.base + i * w.row); }
-static void wrap(const Work& w, i16* row, uint16_t halo) { grid::wrap_row(Cell::int16, row, w.n, halo); }
+static i16* slot(const FluxWork& w, uint8_t i) { return reinterpret_cast<i16*>(w.base + i * w.row); }
+static void wrap(const FluxWork& w, i16* row, uint16_t halo) { grid::wrap_row(Cell::int16, row, w.n, halo); }
 
 // Slots: two rows of every stream's pulls, two of every plane's flux, which take turns; the links; the maps.
 static uint8_t pull_slot(uint8_t stream, uint8_t turn) { return static_cast<uint8_t>(2 * stream + turn); }
@@ -198,13 +184,15 @@ static uint8_t mean_slot(const FluxSet& set, uint8_t stream, uint8_t turn) {
 
 static const FluxSet& set_of(const grid::Rows& rows) { return *reinterpret_cast<const FluxSet*>(rows.table); }
 
+static const SurfaceWork& work_on(const FluxSet& set) { return *images_of(set.map).surface->work; }
+
 void keep_map_row(const grid::Rows& rows) {
   const FluxSet& set = set_of(rows);
   for (uint8_t i = 0; i < set.maps; ++i) place_row(set.map, i, rows.y, rows.n, grid::out16(rows, i));
   if (set.warped) {
     int16_t* out[kInverseRows];
     for (uint8_t i = 0; i < kInverseRows; ++i) out[i] = grid::out16(rows, static_cast<uint8_t>(set.maps + i));
-    inverse_row(set.map, rows.y, rows.n, out);
+    work_on(set).inverse_row(set.map, rows.y, rows.n, out);
   }
   if (set.styled)
     style_row(set.map, rows.y, rows.n, grid::out16(rows, set.maps),
@@ -212,7 +200,7 @@ void keep_map_row(const grid::Rows& rows) {
 }
 
 // A stream's pulls and means on a surface; cells: the rows of its map and of V.
-static void warp_stream(const FluxSet& set, const Work& w, uint8_t way, uint8_t stream, uint8_t turn, uint16_t halo,
+static void warp_stream(const FluxSet& set, const FluxWork& w, uint8_t way, uint8_t stream, uint8_t turn, uint16_t halo,
                         const i16* const* cells) {
   const FluxSet::Stream& s = set.stream[stream];
   const Spread& spread = set.spread[stream];
@@ -231,7 +219,7 @@ static void warp_stream(const FluxSet& set, const Work& w, uint8_t way, uint8_t 
 struct Pulling {
   const grid::Rows* rows;
   const FluxSet* set;
-  Work work;
+  FluxWork work;
   int32_t shift;  // cells from a link's one end to the other
   uint16_t halo;
   uint8_t way, stage, turn;
@@ -248,7 +236,7 @@ static void pull_at(const Pulling& p, uint8_t k, uint8_t turn) {
         grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.stream[stream].map) + k))};
     for (uint8_t i = 0; i < kInverseRows; ++i)
       cells[1 + i] = grid::in16(*p.rows, static_cast<uint8_t>(3 * (set.planes + set.maps + i) + k));
-    warp_stream(set, p.work, p.way, stream, turn, p.halo, cells);
+    work_on(set).stream(set, p.work, p.way, stream, turn, p.halo, cells);
   }
   for (uint8_t stream = 0; stream < set.streams && !set.warped; ++stream) {
     const uint8_t map = set.stream[stream].map;
@@ -280,13 +268,13 @@ static void between(const Pulling& p, uint8_t k) {
     for (uint8_t plane = 0; plane < set.planes; ++plane) {
       const Spread& spread = set.spread[plane];
       if (spread.stream != stream || !takes(spread, p.way, p.stage)) continue;
-      const Stage stage = stage_of(spread, p.way, p.stage);
+      const FluxStage stage = stage_of(spread, p.way, p.stage);
       const i16* const from = grid::in16(*p.rows, static_cast<uint8_t>(3 * plane + k));
       const i16* const to = grid::in16(*p.rows, static_cast<uint8_t>(3 * plane + k + 1)) + p.shift;
       const i16* const behind = slot(p.work, flux_slot(set, plane, here)) - p.shift;
       i16* const flux = slot(p.work, flux_slot(set, plane, ahead));
       i16* const out = grid::out16(*p.rows, plane);
-      if (own_means) carry_mean(link, lack, from, to, flux, p.work.n, stage);
+      if (own_means) work_on(set).carry(link, lack, from, to, flux, p.work.n, stage);
       else if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
       else if (k == 0) carry_row(link, from, to, flux, p.work.n, stage);
       else move_row(link, from, to, behind, flux, out, p.work.n, stage);
@@ -316,7 +304,7 @@ void flux_row(const grid::Rows& rows) {
 }
 
 // All stages of a plane along a row. lack: of the cells, or on a surface their means.
-static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* pull, const i16* lack, i16* row) {
+static void chain(const FluxSet& set, const FluxWork& w, uint8_t plane, const i16* pull, const i16* lack, i16* row) {
   const Spread& spread = set.spread[plane];
   i16* const link = slot(w, link_slot(set));
   i16* const copy = slot(w, flux_slot(set, 0, 0));
@@ -328,7 +316,7 @@ static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* p
     if (set.warped) {
       i16* const mean = slot(w, map_slot(set, 0));
       mean_row(lack, lack + stride, mean, w.n);
-      carry_mean(link, mean, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+      work_on(set).carry(link, mean, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     } else if (set.styled) {
       i16* const less = slot(w, flux_slot(set, 1, 0));
       link_row(lack, lack + stride, less, w.n);
@@ -343,7 +331,7 @@ static void chain(const FluxSet& set, const Work& w, uint8_t plane, const i16* p
 
 void flux_chain_row(const grid::Rows& rows) {
   const FluxSet& set = set_of(rows);
-  const Work w = work_of(rows, set);
+  const FluxWork w = work_of(rows, set);
   for (uint8_t i = 0; i < set.maps && !set.kept; ++i) place_row(set.map, i, rows.y, w.n, slot(w, map_slot(set, i)));
   i16* const lack = slot(w, map_slot(set, 0));
   if (set.styled)
@@ -352,7 +340,7 @@ void flux_chain_row(const grid::Rows& rows) {
     const i16* cells[1 + kInverseRows] = {grid::out16(rows, static_cast<uint8_t>(set.planes + set.stream[stream].map))};
     for (uint8_t i = 0; i < kInverseRows; ++i)
       cells[1 + i] = grid::out16(rows, static_cast<uint8_t>(set.planes + set.maps + i));
-    warp_stream(set, w, 0, stream, 0, w.halo, cells);
+    work_on(set).stream(set, w, 0, stream, 0, w.halo, cells);
     chain(set, w, stream, slot(w, pull_slot(stream, 0)), slot(w, mean_slot(set, stream, 0)), grid::out16(rows, stream));
   }
   for (uint8_t stream = 0; stream < set.streams && !set.warped; ++stream) {
@@ -366,5 +354,7 @@ void flux_chain_row(const grid::Rows& rows) {
       if (set.spread[plane].stream == stream) chain(set, w, plane, pull, lack, grid::out16(rows, plane));
   }
 }
+
+extern const SurfaceWork surface_work = {inverse_row, warp_stream, carry_mean};
 
 }  // namespace dapple::stencil

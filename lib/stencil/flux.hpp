@@ -118,6 +118,32 @@ constexpr uint8_t flux_rows(uint8_t planes, uint8_t streams, uint8_t maps) {
   return static_cast<uint8_t>(2 * (planes + streams) + 1 + maps);
 }
 
+// The kernels' scratch rows.
+struct FluxWork {
+  uint8_t* base;
+  size_t row;
+  uint16_t n, halo;
+};
+
+// A stage of a plane: with q = mean + slope * lean the share of a link, 1/unit,
+//   t = clamp(q - before, 0, cap);  weight = 2 mulhi(t << shift, factor) <= 16384, Q16.
+// cap << shift is 16384..32767, so that the weight keeps 13 bits.
+struct FluxStage {
+  int16_t slope, offset, cap, factor;
+  int16_t mean, before;  // offset is mean - before
+  uint8_t shift;
+};
+
+// What flux rows do on a surface and nowhere else: rows of V; a stream's pulls and means, from the rows of its map and
+// of V; what links carry with means of their own.
+struct SurfaceWork {
+  void (*inverse_row)(const DirectionMap& map, int32_t y, uint16_t n, int16_t* const* out);
+  void (*stream)(const FluxSet& set, const FluxWork& w, uint8_t way, uint8_t stream, uint8_t turn, uint16_t halo,
+                 const int16_t* const* cells);
+  void (*carry)(const int16_t* link, const int16_t* mean, const int16_t* from, const int16_t* to, int16_t* flux,
+                uint16_t n, FluxStage s);
+};
+
 // One pass of every plane along way p[0], stage p[1], vy > 0. in[3 i + k]: rows y - S, y, y + S of plane i with halo, S
 // = stride * vy; kept maps follow the model's planes. out[i]: row y. scratch: flux_rows; uses rows.run.
 void flux_row(const grid::Rows& rows);

@@ -214,9 +214,8 @@ static void ghost_direction(const DirectionMap& m, const Patches& all, uint8_t i
   *out = packed({to_q7(s.swapped ? -c : c), to_q7(s.mirrored ? -n : n)});
 }
 
-void place_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_t* out) {
+void patch_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_t* out) {
   const Patches* const all = patches_of(m);
-  if (all == nullptr) return map_row(m, index, y, n, out);
   const int32_t at = folded(y, m.rows) - m.pad;
   const bool inside = at >= 0 && at < m.height;
   if (inside) map_row(placed(m, *all, m.patch, 0, at), index, 0, m.width, out + m.pad);
@@ -229,7 +228,7 @@ void place_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int1
 // On a torus the cell itself, rolled.
 static grid::Source source_on(const DirectionMap& m, int32_t x, int32_t y) {
   const Patches* const all = patches_of(m);
-  if (all != nullptr) return grid::source_of(*all, m.level, m.patch, x - m.pad, y - m.pad);
+  if (all != nullptr) return all->work->source_of(*all, m.level, m.patch, x - m.pad, y - m.pad);
   return {0, folded(m.x + x, m.width), folded(m.y + y, m.height), false, false, nullptr};
 }
 

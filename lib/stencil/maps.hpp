@@ -90,8 +90,14 @@ constexpr int16_t packed(Doubled d) {
 // u, v are the cell's centre in periods.
 void map_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
 
-// The same of a patch too: ghost cells have what their sources have, turned.
-void place_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
+// The same of a patch: ghost cells have what their sources have, turned.
+void patch_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out);
+
+// The one or the other.
+inline void place_row(const DirectionMap& map, uint8_t index, int32_t y, uint16_t n, int16_t* out) {
+  const Patches* const all = patches_of(map);
+  (all == nullptr ? map_row : all->work->map_row)(map, index, y, n, out);
+}
 
 // V of the surface (surface.hpp): a row each of p, q, r.
 constexpr uint8_t kInverseRows = 3;

@@ -6,6 +6,11 @@
 #include "../base/status.hpp"
 #include "../grid/domain.hpp"
 
+namespace dapple::stencil {
+struct SurfaceWork;
+extern const SurfaceWork surface_work;
+}  // namespace dapple::stencil
+
 namespace dapple {
 
 // Squared lengths on the surface of a step to the next cell, and their product: x_u x_u, x_u x_v, x_v x_v; Q16, one
@@ -41,6 +46,8 @@ struct Surface {
   uint8_t patch;
   uint16_t x, y;
   int64_t spread;  // of inverses, so far
+
+  const stencil::SurfaceWork* work = &stencil::surface_work;  // flux.hpp: programs without surfaces link none of it
 };
 
 // A torus that is `ratio` as thick as wide; the length of x at the tube's crown is a cell.
