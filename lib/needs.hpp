@@ -142,9 +142,9 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
   }
   if (domain.width < kSmallestSide || domain.height < kSmallestSide) return bad_side;
   if (domain.patches != nullptr) {
-    need.width = need.height = least_side(recipe, need.multiple);
     need.halo = pad_of(recipe, need.multiple);
-    return check_patch(recipe, domain, need.multiple);
+    need.width = need.height = least_side(need.halo);
+    return check_patch(recipe, domain, need.multiple, need.halo);
   }
   if (has_sides(recipe)) return bad_sides;
   if (domain.corners != nullptr) {

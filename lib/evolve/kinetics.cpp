@@ -75,9 +75,17 @@ static void hold_row(const grid::Rows& rows) {
     hold(static_cast<const T*>(rows.in[3 * plane + 1]), mask, static_cast<T*>(rows.out[plane]), rows.n);
 }
 
+// Cells of either width, where there are few: once a stage.
+static int32_t cell_at(const grid::Rows& rows, const void* row, uint16_t x) {
+  return rows.table[wide_cells] != 0 ? static_cast<const int32_t*>(row)[x] : static_cast<const int16_t*>(row)[x];
+}
+DAPPLE_APART static void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value) {
+  if (rows.table[wide_cells] != 0) static_cast<int32_t*>(row)[x] = value;
+  else static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value);
+}
+
 // A uniform deviation for every cell, the same whatever the order.
-template <class T>
-static void vary_cells(const grid::Rows& rows, T* cells) {
+static void vary_cells(const grid::Rows& rows, void* row) {
   const int32_t* t = rows.table;
   const uint16_t width = static_cast<uint16_t>(t[ring_x]), height = static_cast<uint16_t>(t[ring_y]);
   const bool plane = t[on_plane] != 0;
@@ -85,27 +93,26 @@ static void vary_cells(const grid::Rows& rows, T* cells) {
       base::row_key(static_cast<uint32_t>(t[seed_of]), kVaryStream, start::world(t[origin_y] + rows.y, height, plane));
   int32_t at = start::world(t[origin_x] + rows.x, width, plane);
   for (uint16_t x = 0; x < rows.n; ++x) {
-    cells[x] = static_cast<T>(
-        static_cast<int32_t>(base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]))) - t[varies]);
+    const uint32_t share = base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]));
+    set_cell(rows, row, x, static_cast<int32_t>(share) - t[varies]);
     if (++at == width && !plane) at = 0;
   }
 }
 
 // The first sweep of a stage: what varies, what is held, what goes back to the uniform state. All planes in place.
 // p: {threshold, shown plane, Mode, uniform state of every morphogen}, in the cells' format.
-template <class T>
 static void enter_row(const grid::Rows& rows) {
   const uint8_t planes = kept_at(rows);
   const int32_t mode = rows.p[2];
-  if (rows.table[varies] > 0) vary_cells(rows, static_cast<T*>(rows.out[planes]));
+  if (rows.table[varies] > 0) vary_cells(rows, rows.out[planes]);
   if ((mode & holds) == 0) return;
-  T* const mask = static_cast<T*>(rows.out[held_at(rows)]);
-  const T* const shown = static_cast<const T*>(rows.out[rows.p[1]]);
+  void* const mask = rows.out[held_at(rows)];
+  const void* const shown = rows.out[rows.p[1]];
   for (uint16_t x = 0; x < rows.n; ++x) {
-    const bool on = shown[x] > rows.p[0];
-    if ((mode & leaves) == 0) mask[x] = static_cast<T>(on && (mode & freezes) != 0 ? -1 : 0);
+    const bool on = cell_at(rows, shown, x) > rows.p[0];
+    if ((mode & leaves) == 0) set_cell(rows, mask, x, on && (mode & freezes) != 0 ? -1 : 0);
     if ((mode & (on ? resets_on : resets_off)) == 0) continue;
-    for (uint8_t i = 0; i < planes; ++i) static_cast<T*>(rows.out[i])[x] = static_cast<T>(rows.p[3 + i]);
+    for (uint8_t i = 0; i < planes; ++i) set_cell(rows, rows.out[i], x, rows.p[3 + i]);
   }
 }
 
@@ -128,7 +135,7 @@ static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
   const Model& model = *context.model;
   all_planes(context, has_mask, sweep);
   sweep.radius = 0;
-  sweep.row = wide(model) ? enter_row<int32_t> : enter_row<int16_t>;
+  sweep.row = enter_row;
   sweep.p[0] = kinetics::fixed(context.number[kinetics::above], wide(model) ? kinetics::kWide : kinetics::kNarrow);
   sweep.p[1] = context.number[kinetics::show];
   sweep.p[2] = mode_of(context, has_mask);

@@ -50,13 +50,12 @@ constexpr uint32_t pad_of(const Recipe& recipe, uint16_t multiple) {
 }
 
 // Sides are at least that long: ghost cells have their sources within the patch.
-constexpr uint16_t least_side(const Recipe& recipe, uint16_t multiple) {
-  const uint32_t pad = pad_of(recipe, multiple);
+constexpr uint16_t least_side(uint32_t pad) {
   return static_cast<uint16_t>(pad < kSmallestSide ? kSmallestSide : pad > 65535 ? 65535 : pad);
 }
 
-// `multiple`: of the finest grid's cells, what sides and places must be.
-constexpr Status check_patch(const Recipe& recipe, const Domain& d, uint16_t multiple) {
+// `multiple`: of the finest grid's cells, what sides and places must be. pad: pad_of.
+constexpr Status check_patch(const Recipe& recipe, const Domain& d, uint16_t multiple, uint32_t pad) {
   const Patches& all = *d.patches;
   const bool listed = all.patch != nullptr && all.count >= 1 && all.count <= kMostPatches && d.patch < all.count;
   if (!listed || !d.plane || d.corners != nullptr || d.x != all.patch[d.patch].x || d.y != all.patch[d.patch].y)
@@ -64,14 +63,12 @@ constexpr Status check_patch(const Recipe& recipe, const Domain& d, uint16_t mul
   if (d.width != all.width || d.height != all.height || recipe.stage[0].model->cell == grid::Cell::bit)
     return bad_sides;
   if (first_unpaired(all).found) return bad_sides;
-  const uint16_t least = least_side(recipe, multiple);
-  const uint32_t halo = 2 * pad_of(recipe, multiple);
   const Patch& p = all.patch[d.patch];
   const auto whole = [&](int32_t cells) { return cells % multiple == 0; };
   if (!whole(d.width) || !whole(d.height) || !whole(p.x) || !whole(p.y)) return not_a_multiple;
-  if (p.x < -kFarthest / 2 || p.y < -kFarthest / 2 || p.x > kFarthest / 2 || p.y > kFarthest / 2) return too_far;
-  if (d.width + halo > 65000u || d.height + halo > 65000u) return too_large;
-  return d.width < least || d.height < least ? tile_too_small : ok;
+  if (!within(p.x, -kFarthest / 2, kFarthest / 2) || !within(p.y, -kFarthest / 2, kFarthest / 2)) return too_far;
+  if (d.width + 2 * pad > 65000u || d.height + 2 * pad > 65000u) return too_large;
+  return d.width < least_side(pad) || d.height < least_side(pad) ? tile_too_small : ok;
 }
 
 }  // namespace dapple::api

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "../base/hash.hpp"
 #include "../base/math.hpp"
-#include "start.hpp"
+#include "discs.hpp"
 
 namespace dapple::start {
 
 constexpr uint32_t kSegments = 68;  // hash streams: x, y, length, angle
-
-static void fill_row(const Place& place, int32_t value, void* row) {
-  for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, value);
-}
 
 // Cells of this grid, 1/256.
 static int64_t cells(const Place& place, int32_t micro) {
@@ -24,7 +20,7 @@ static int64_t from_middle(int32_t at, uint16_t size, bool plane) {
 
 void point_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
   const int64_t radius = cells(place, start.radius), dy = from_middle(place.y + y, place.height, place.plane);
-  fill_row(place, levels.background, row);
+  clear_row(place, levels, row);
   for (uint16_t x = 0; x < place.width; ++x) {
     const int64_t dx = from_middle(place.x + x, place.width, place.plane);
     if (dx * dx + dy * dy <= radius * radius) set_cell(place, row, x, disc_level(start, levels));
@@ -36,7 +32,7 @@ void line_row(const Place& place, const Start& start, const Levels& levels, uint
   const int16_t along = base::cosine(lean), down = base::sine(lean);
   const bool flat = (along < 0 ? -along : along) > (down < 0 ? -down : down);
   const int64_t radius = cells(place, start.radius), dy = from_middle(place.y + y, place.height, place.plane);
-  fill_row(place, levels.background, row);
+  clear_row(place, levels, row);
   for (uint16_t x = 0; x < place.width; ++x) {
     const int64_t off = flat ? dy : from_middle(place.x + x, place.width, place.plane);
     if (off <= radius && off >= -radius) set_cell(place, row, x, disc_level(start, levels));
@@ -79,7 +75,7 @@ static void segment_row(const Place& place, const Start& start, const Segment& g
 }
 
 void segments_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
-  fill_row(place, levels.background, row);
+  clear_row(place, levels, row);
   const int32_t value = disc_level(start, levels);
   if (value == levels.background) return;
   const int64_t pitch = base::max(static_cast<int32_t>(cells(place, start.pitch)), 256);

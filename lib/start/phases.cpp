@@ -12,7 +12,7 @@ struct Nodes {
   int32_t middle, count;  // count: on the ring, 0 on the plane
   int32_t weight[3];
 };
-static Nodes nodes_at(int32_t cell, uint16_t size, bool plane, int64_t pitch) {
+DAPPLE_APART static Nodes nodes_at(int32_t cell, uint16_t size, bool plane, int64_t pitch) {
   Nodes n{};
   const int64_t rounds = (size * INT64_C(256) + pitch / 2) / pitch;
   n.count = plane ? 0 : rounds < 3 ? 3 : static_cast<int32_t>(rounds);
