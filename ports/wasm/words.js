@@ -43,7 +43,7 @@ const dappleWords = {
         const number = told.whole ? String : dappleWords.decimal, all = told.word === line;
         return (all ? "the wavelength" : word) + " is out of range, " + number(told.low) + " to " + number(told.high);
       }
-      case -20:  // unstable: a step that diverges, or a grid too coarse; the number is named
+      case -23:  // unstable: a step that diverges, or a grid too coarse; the number is named
         return told.allowed + (told.allowed === "scale" ? " is too small for the stage's grid; the least is " + dappleWords.decimal(told.low)
           : " makes the steps diverge; the most is " + dappleWords.decimal(told.high));
       default:  // not_possible: which words exclude each other follows from the word that was met
@@ -68,7 +68,7 @@ const dappleWords = {
       case -14: return "more memory than there are addresses";
       case -15: return "not enough memory";
       case -19: return "map=image and solver=styled need images, which cannot be given here";
-      case -20: return "a number makes the steps diverge, or is too small for its grid";
+      case -23: return "a number makes the steps diverge, or is too small for its grid";
       case -21: return "sides other than sides=repeat need a patch, which cannot be given here";
       case -22: return "solver=surface needs a surface, which cannot be given here";
       case -17: return "the plane ends here";
