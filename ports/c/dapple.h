@@ -119,7 +119,7 @@ DAPPLE_API size_t dapple_bytes_for(const char* text, dapple_domain domain);
 /* A texture on its way, with its recipe. Its bytes are the library's own: it may be declared anywhere, but once begun
    it must stay where it is, for parts of it point to others. There is nothing to free. */
 #if UINTPTR_MAX > 0xffffffffu
-#define DAPPLE_TEXTURE_BYTES 1280
+#define DAPPLE_TEXTURE_BYTES 1536
 #else
 #define DAPPLE_TEXTURE_BYTES 1024
 #endif

@@ -123,7 +123,7 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
   return true;
 }
 
-// Images for what takes them: 3 x 2 directions and styles.
+// Images for what takes them: 3 x 2 directions and styles. Beside them every recipe gets a surface.
 constexpr int8_t kPairs[] = {127, 0, 0, 127, -127, 0, 90, 90, -20, 10, 0, -127};
 constexpr uint8_t kStyles[] = {255, 128, 255, 200, 140, 255, 90, 120, 128, 255, 0, 0, 64, 255, 255, 160, 128, 10};
 constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}};
@@ -138,9 +138,13 @@ int try_all(const std::string& name, const dapple::Recipe& whole) {
     dapple::Recipe changed = recipe;
     dapple::Trouble trouble{};
     if (*changes != 0 && dapple::parse(changes, changed, trouble) != dapple::ok) continue;
-    dapple::set_maps(changed, kImages);
-    const std::string label = name + (*changes != 0 ? "+euler+levels" : "");
     const dapple::Domain torus = smallest(changed);
+    dapple::Surface surface = dapple::torus_surface(torus.width, torus.height, 400000);
+    while (torus.width > 0 && measure(surface, 5) == dapple::more) {}
+    dapple::PlaceMaps images = kImages;
+    images.surface = &surface;
+    dapple::set_maps(changed, images);
+    const std::string label = name + (*changes != 0 ? "+euler+levels" : "");
     bool good = torus.width == 0 || print(label, changed, torus);
     changed = shortened(changed, 2);
     const dapple::Need need = dapple::need_for(changed, window);
