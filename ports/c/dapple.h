@@ -121,7 +121,7 @@ DAPPLE_API size_t dapple_bytes_for(const char* text, dapple_domain domain);
 #if UINTPTR_MAX > 0xffffffffu
 #define DAPPLE_TEXTURE_BYTES 1536
 #else
-#define DAPPLE_TEXTURE_BYTES 1024
+#define DAPPLE_TEXTURE_BYTES 1280
 #endif
 typedef struct dapple_texture {
   union {
