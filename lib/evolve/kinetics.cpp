@@ -76,7 +76,7 @@ static void hold_row(const grid::Rows& rows) {
 }
 
 // Cells of either width, where there are few: once a stage.
-static int32_t cell_at(const grid::Rows& rows, const void* row, uint16_t x) {
+DAPPLE_APART static int32_t cell_at(const grid::Rows& rows, const void* row, uint16_t x) {
   return rows.table[wide_cells] != 0 ? static_cast<const int32_t*>(row)[x] : static_cast<const int16_t*>(row)[x];
 }
 DAPPLE_APART static void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value) {

@@ -53,7 +53,7 @@ struct Ground {
   uint16_t pad = 0;
 };
 
-constexpr int32_t round_down(int32_t value, int32_t step) {
+DAPPLE_APART constexpr int32_t round_down(int32_t value, int32_t step) {
   return value >= 0 ? value - value % step : -((-value + step - 1) / step * step);
 }
 

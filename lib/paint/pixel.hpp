@@ -107,16 +107,11 @@ inline void put_pixel(Pixels format, uint16_t x, uint16_t y, const uint8_t* rgb,
       for (uint8_t c = 0; c < 3; ++c) row[4 * at + c] = rgb[c];
       row[4 * at + 3] = 255;
       break;
-    case Pixels::rgb565:
-    case Pixels::rgb565_swapped: put_565(row + 2 * at, rgb, format == Pixels::rgb565_swapped, dither, threshold); break;
-    case Pixels::l1_msb:
-    case Pixels::l1_lsb:
-    case Pixels::l1_pages: {
-      const bool pages = format == Pixels::l1_pages;
-      const uint8_t bit = static_cast<uint8_t>(pages ? y % 8 : format == Pixels::l1_msb ? 7 - x % 8 : x % 8);
-      put_one(row + (pages ? x : x / 8), bit, reduce(luminance(rgb), 1, dither, threshold) != 0);
-      break;
-    }
+    case Pixels::rgb565: put_565(row + 2 * at, rgb, false, dither, threshold); break;
+    case Pixels::rgb565_swapped: put_565(row + 2 * at, rgb, true, dither, threshold); break;
+    case Pixels::l1_msb: put_one(row + x / 8, 7 - x % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
+    case Pixels::l1_lsb: put_one(row + x / 8, x % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
+    case Pixels::l1_pages: put_one(row + x, y % 8, reduce(luminance(rgb), 1, dither, threshold) != 0); break;
     case Pixels::l16:
     case Pixels::l16_swapped: put_16(row + 2 * at, static_cast<uint16_t>(257u * luminance(rgb)), format == Pixels::l16_swapped); break;
   }

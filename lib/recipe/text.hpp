@@ -165,7 +165,7 @@ constexpr int32_t times(int32_t value, int32_t now, int32_t was, const int32_t* 
 }
 
 // An angle turned by another, within a turn either way.
-constexpr int32_t turned(int32_t angle, int32_t by) {
+DAPPLE_APART constexpr int32_t turned(int32_t angle, int32_t by) {
   const int64_t turn = 360 * base::kMicro, sum = static_cast<int64_t>(angle) + by;
   return static_cast<int32_t>(sum > turn || sum < -turn ? sum % turn : sum);
 }

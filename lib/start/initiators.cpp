@@ -9,7 +9,7 @@ namespace dapple::start {
 constexpr uint32_t kSegments = 68;  // hash streams: x, y, length, angle
 
 // Cells of this grid, 1/256.
-static int64_t cells(const Place& place, int32_t micro) {
+DAPPLE_APART static int64_t cells(const Place& place, int32_t micro) {
   return (static_cast<int64_t>(micro) * 256 / base::kMicro) >> place.level;
 }
 
