@@ -1,5 +1,6 @@
 // Patches: sides that repeat, end, are held or joined; many small patches are one large one, bit for bit; six are a
-// sphere. SPDX-License-Identifier: MIT
+// sphere.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -178,6 +179,37 @@ TEST_CASE("atlas: a constant field stays constant between closed sides, and does
     field = Grown(recipe, on_patch(all, 0), 3).field();
     CHECK(field[47 * 64] < field[0] - 100);
   }
+}
+
+// A uniform state u = a + b = 1, v = b / u^2 = .9, with sides at that state: whatever the cells' format, nothing moves.
+TEST_CASE("atlas: fixed sides hold wide and narrow kinetics at what they say, and work is counted as it is done") {
+  const struct {
+    const char *text, *fixed;
+    int unit, level;
+  } kinds[] = {{"schnakenberg feed=0.1 supply=0.9", "1,0.9", 1024, 1024},
+               {"fitzhugh-nagumo bias=0", "0,0", 16384, 0},
+               {"meinhardt-spots decay=0.04 drain=0.04", "1,0.25", 1024, 1024}};
+  for (const auto& kind : kinds) {
+    INFO(kind.text);
+    const std::string recipe = std::string(kind.text) + " start=point radius=0.5 amplitude=0.01 steps=40";
+    const dapple::Recipe held = tests::recipe_of((recipe + " sides=fixed fixed=" + kind.fixed).c_str());
+    REQUIRE(held.stages == 1);
+    const Patch patch = patch_of(held);
+    const Patches all = {&patch, 1, 64, 64};
+    Grown grown(held, on_patch(all, 0), 3);
+    REQUIRE(grown.status == dapple::ok);
+    const std::vector<int16_t> field = grown.field();
+    for (int y = 0; y < 64; ++y) CHECK(std::abs(field[static_cast<size_t>(64 * y)] - kind.level) <= kind.unit / 100);
+    CHECK(grown.texture.rows_done() == grown.texture.rows_in_all());
+  }
+  const dapple::Recipe cascade =
+      tests::recipe_of("turing sides=closed scale=6 vary=0.1 steps=20 then freeze above=4.2 steps=10 then carry steps=5 then reset steps=3");
+  REQUIRE(cascade.stages == 4);
+  const Patch patch = patch_of(cascade);
+  const Patches all = {&patch, 1, 64, 48};
+  Grown grown(cascade, on_patch(all, 0), 3, 7);
+  REQUIRE(grown.status == dapple::ok);
+  CHECK(grown.texture.rows_done() == grown.texture.rows_in_all());
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "ghosts.hpp"
 
+#include "../model/kinetics.hpp"
 #include "../stencil/maps.hpp"
 
 namespace dapple::evolve {
@@ -46,10 +47,11 @@ DAPPLE_APART static void make_entries(const Run& run, const Row& row, uint16_t y
   }
 }
 
+// In the format of the cells, which for wide ones is not that of the field.
 static int32_t fixed_value(const Run& run, uint32_t entry, uint8_t plane) {
   const Side& side = run.ground.patches->patch[(entry & 255) / 4].side[entry & 3];
-  return static_cast<int32_t>(
-      base::divide_round(static_cast<int64_t>(side.value[plane & 1]) * run.model.unit, base::kMicro));
+  const int64_t one = run.field.cell == grid::Cell::int32 ? INT64_C(1) << kinetics::kWide : run.model.unit;
+  return static_cast<int32_t>(base::divide_round(side.value[plane & 1] * one, base::kMicro));
 }
 
 template <class T>

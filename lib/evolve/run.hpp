@@ -138,7 +138,7 @@ constexpr uint64_t work_rows(const Stage& stage, const Model& model, const Reach
   if (stage.entry == Entry::refine) total += height / 2u;
   if (patch) {  // a seal after the start, a refinement, and every sweep
     total += (static_cast<uint64_t>(stage.steps) * reach.sweeps + (stage.steps > 0 ? reach.once : 0u)) * height;
-    if (stage.entry != Entry::carry) total += height;
+    if (!same_grid(stage.entry)) total += height;
   }
   for (uint32_t step = 0; plane && !patch && step < stage.steps; ++step) {
     spent += static_cast<uint32_t>(reach.spread) << stage.level;

@@ -25,8 +25,9 @@ constexpr uint32_t updates_of_step(const Solver& solver, const Model& model, con
 // Cells written over a whole stage on a torus, its start or its refinement too.
 constexpr uint64_t updates_of(const Stage& stage, uint16_t width, uint16_t height) {
   const uint64_t cells = static_cast<uint64_t>(at_level(width, stage.level)) * at_level(height, stage.level);
-  const uint64_t first = stage.entry == Entry::carry ? 0 : stage.model->planes(stage.number);
-  return cells * (first + static_cast<uint64_t>(stage.steps) * updates_of_step(*stage.solver, *stage.model, stage.number, stage.level, stage.stored));
+  const uint64_t first = same_grid(stage.entry) ? 0 : stage.model->planes(stage.number);
+  const uint32_t updates = updates_of_step(*stage.solver, *stage.model, stage.number, stage.level, stage.stored);
+  return cells * (first + static_cast<uint64_t>(stage.steps) * updates);
 }
 
 }  // namespace dapple::evolve

@@ -36,11 +36,7 @@ inline constexpr Number numbers[] = {
             "diffusion of v beside that of u; 0 spirals, 1 domains, 5 domains fringed by spots"),
 };
 
-constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
-}
-
-constexpr uint8_t planes(const int32_t*) { return 2; }
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
 
 // u0 = c, v0 = d / c, .8 either way: by phases that is a circle. Discs hold twice the u.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
@@ -52,8 +48,6 @@ constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
 
 // The width of a front, about 16 cells at scale 1: there is no wavelength.
 constexpr int32_t wavelength(const int32_t* number) { return 16 * number[scale]; }
-
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 // D of a plane on a grid, 1/kMicro cells^2 a unit of time.
 constexpr int64_t diffusion(const int32_t* number, uint8_t plane, uint8_t level) {
@@ -93,21 +87,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::brusselator
 
 namespace dapple {
-inline constexpr Model brusselator_model DAPPLE_ROM = {grid::Cell::int32,
-                                                       0,
-                                                       kinetics::kWideUnit,
-                                                       0,
-                                                       brusselator::in_range,
-                                                       brusselator::planes,
-                                                       kinetics::tensor,
-                                                       brusselator::levels,
-                                                       brusselator::wavelength,
-                                                       brusselator::cell_level,
-                                                       brusselator::values,
-                                                       nullptr,
-                                                       brusselator::react_row,
-                                                       nullptr,
-                                                       nullptr,
-                                                       false,
-                                                       brusselator::bound};
+inline constexpr Model brusselator_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int32, 0, brusselator::in_range, kinetics::two_planes, brusselator::levels,
+                       brusselator::wavelength, brusselator::values, brusselator::react_row, brusselator::bound);
 }  // namespace dapple

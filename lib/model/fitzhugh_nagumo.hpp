@@ -33,11 +33,7 @@ inline constexpr Number numbers[] = {
     decimal("reach", 200000, 8000000, 2000000, "Db at scale 1"),
 };
 
-constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
-}
-
-constexpr uint8_t planes(const int32_t*) { return 2; }
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
 
 // The middle state a - a^3 - (a - s0) / s1 = 0, by a = (a^3 - s0 / s1) / (1 - 1 / s1) from 0 on, within +-1/2; b = (a -
 // s0) / s1.
@@ -63,10 +59,6 @@ constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
 constexpr int32_t wavelength(const int32_t* number) {
   const int64_t root = fourth_root(static_cast<int64_t>(number[spread]) * number[reach], INT64_C(1000000000000));
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 178 / 10);
-}
-
-constexpr int16_t cell_level(const int32_t* number) {
-  return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest));
 }
 
 // D of a plane on a grid, 1/kMicro cells^2 a unit of time.
@@ -100,21 +92,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::fitzhugh_nagumo
 
 namespace dapple {
-inline constexpr Model fitzhugh_nagumo_model DAPPLE_ROM = {grid::Cell::int16,
-                                                           0,
-                                                           kinetics::kNarrowUnit,
-                                                           0,
-                                                           fitzhugh_nagumo::in_range,
-                                                           fitzhugh_nagumo::planes,
-                                                           kinetics::tensor,
-                                                           fitzhugh_nagumo::levels,
-                                                           fitzhugh_nagumo::wavelength,
-                                                           fitzhugh_nagumo::cell_level,
-                                                           fitzhugh_nagumo::values,
-                                                           nullptr,
-                                                           fitzhugh_nagumo::react_row,
-                                                           nullptr,
-                                                           nullptr,
-                                                           false,
-                                                           fitzhugh_nagumo::bound};
+inline constexpr Model fitzhugh_nagumo_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int16, 0, fitzhugh_nagumo::in_range, kinetics::two_planes, fitzhugh_nagumo::levels,
+                       fitzhugh_nagumo::wavelength, fitzhugh_nagumo::values, fitzhugh_nagumo::react_row, fitzhugh_nagumo::bound);
 }  // namespace dapple

@@ -32,8 +32,11 @@ constexpr Number scale_number(int32_t low, int32_t high, int32_t standard, const
 constexpr Number dt_number(int32_t standard) {
   return decimal("dt", kDt[0], kDt[1], standard, "the time of a step; less on coarser grids, where it has to be");
 }
+// morphogens: separated by '|'.
 constexpr Number show_number(const char* morphogens) {
-  return {Number::word, "show", 0, 4, 0, morphogens, "the morphogen that paint reads and `above` is about"};
+  int32_t last = 0;
+  for (const char* c = morphogens; *c != 0; ++c) last += *c == '|' ? 1 : 0;
+  return {Number::word, "show", 0, last, 0, morphogens, "the morphogen that paint reads and `above` is about"};
 }
 constexpr Number above_number(int32_t low, int32_t high, int32_t standard) {
   return decimal("above", low, high, standard,
@@ -64,6 +67,8 @@ constexpr bool in_range(const Number* numbers, uint8_t count, const int32_t* num
 
 // The variance of a step is unused: solvers of this kind read `values`.
 constexpr grid::Tensor tensor(const int32_t*, uint8_t) { return {0, 0, 0}; }
+
+constexpr uint8_t two_planes(const int32_t*) { return 2; }
 
 // 1/kMicro in a format of n bits after the point.
 constexpr int32_t fixed(int64_t micro, uint8_t bits) {
@@ -120,6 +125,24 @@ DAPPLE_INLINE int32_t diffused(int32_t lap, Rate rate) { return times((lap + 32)
 // A cell after a step: rounded once, then held within its range.
 DAPPLE_INLINE int32_t stepped(int32_t cell, int32_t sum, int32_t low, int32_t high) {
   return base::clamp(cell + ((sum + 16) >> kGuard), low, high);
+}
+
+// What is above `above`, in the format that is shown.
+constexpr int16_t wide_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
+constexpr int16_t narrow_level(const int32_t* number) {
+  return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), INT32_C(32767)));
+}
+
+// A model of this kind, with what all of them share. rows: of work, for its reaction.
+constexpr Model model_of(grid::Cell cell, uint8_t rows, bool (*in_range)(const int32_t*), uint8_t (*planes)(const int32_t*),
+                         grid::Levels (*levels)(const int32_t*, uint8_t), int32_t (*wavelength)(const int32_t*),
+                         void (*values)(const int32_t*, Clock, int32_t*), grid::RowKernel react,
+                         Bound (*bound)(const int32_t*, uint8_t)) {
+  const bool wide = cell == grid::Cell::int32;
+  return {cell,   0,       wide ? kWideUnit : kNarrowUnit, rows,       in_range,
+          planes, tensor,  levels,                         wavelength, wide ? wide_level : narrow_level,
+          values, nullptr, react,                          nullptr,    nullptr,
+          false,  bound};
 }
 
 // dt of a step on this grid, 1/kMicro.

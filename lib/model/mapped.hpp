@@ -1,6 +1,7 @@
 // The threshold family along a map of directions [Witkin & Kass 1991, 3.1]: the numbers of threshold.hpp in the same
 // slots, but that the slot of `diffusion` names the map and one more slot says how large its features are. Same
-// kernels. SPDX-License-Identifier: MIT
+// kernels.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "threshold.hpp"
 

@@ -1,9 +1,9 @@
 // Meinhardt's spots, reaction of one row. Source and ranges: meinhardt_spots.hpp.
 //   a, b    Q20, below 8; b as a divisor at least 2^-10
 //   a / b   Q15 by base::quotient, cut to Q12, at most 16
-//   q       a (a / b), Q24 in uint32, <= 8 * 16 * 2^24 = 2^31, cut to Q13; c = .01 beta in Q16, <= 984; q c in Q29 <
-//   2^30 react   Q20: |.| <= 1.92 + .15 * 8 + .05 < 3.2, a saturated to +-1.99; times a mantissa < 2^10: < 2^31 sum
-//   Q25, |.| <= 32 D dt + 2 s dt < 64; rounded once to Q20
+//   q       a (a / b), Q24 in uint32, <= 8 * 16 * 2^24 = 2^31, cut to Q13; c = .01 beta in Q16, <= 984; q c in Q29 < 2^30
+//   react   Q20: |.| <= 1.92 + .15 * 8 + .05 < 3.2, a saturated to +-1.99; times a mantissa < 2^10: < 2^31
+//   sum     Q25, |.| <= 32 D dt + 2 s dt < 64; rounded once to Q20
 // SPDX-License-Identifier: MIT
 #include "meinhardt_spots.hpp"
 

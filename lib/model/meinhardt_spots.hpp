@@ -34,11 +34,7 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Db"),
 };
 
-constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
-}
-
-constexpr uint8_t planes(const int32_t*) { return 2; }
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
 
 // a0 = p2 / p1, b0 = .01 a0^2 / p2 (of p3 = 0). Noise of a tenth either way on a; discs hold three times the a.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
@@ -54,8 +50,6 @@ constexpr int32_t wavelength(const int32_t* number) {
   const int64_t root = fourth_root(static_cast<int64_t>(number[spread]) * number[reach], INT64_C(2000000000));
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 31 / 5);
 }
-
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 constexpr int32_t most_dt(const int32_t* number, uint8_t) { return largest_dt(number[reach], 0); }
 constexpr Bound bound(const int32_t* number, uint8_t level) {
@@ -78,21 +72,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::meinhardt_spots
 
 namespace dapple {
-inline constexpr Model meinhardt_spots_model DAPPLE_ROM = {grid::Cell::int32,
-                                                           0,
-                                                           kinetics::kWideUnit,
-                                                           0,
-                                                           meinhardt_spots::in_range,
-                                                           meinhardt_spots::planes,
-                                                           kinetics::tensor,
-                                                           meinhardt_spots::levels,
-                                                           meinhardt_spots::wavelength,
-                                                           meinhardt_spots::cell_level,
-                                                           meinhardt_spots::values,
-                                                           nullptr,
-                                                           meinhardt_spots::react_row,
-                                                           nullptr,
-                                                           nullptr,
-                                                           false,
-                                                           meinhardt_spots::bound};
+inline constexpr Model meinhardt_spots_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int32, 0, meinhardt_spots::in_range, kinetics::two_planes, meinhardt_spots::levels,
+                       meinhardt_spots::wavelength, meinhardt_spots::values, meinhardt_spots::react_row, meinhardt_spots::bound);
 }  // namespace dapple

@@ -1,8 +1,9 @@
 // Meinhardt's stripes, reaction of one row. Source and ranges: meinhardt_stripes.hpp.
 //   cells   Q14, 0..2                   lap    Q14, |lap| <= 8
 //   a^2 e   Q15, <= 8; times k = .01 beta in Q16, <= 787: Q31 < 2^28, cut to Q19: < 2^16
-//   / c     Q20 by base::quotient, at most 1; sums of the reaction Q20, |.| < 2, times a mantissa <= 2^10: <= 2^31 is
-//   kept off by +-1.99 sum     Q19; rounded once to Q14
+//   / c     Q20 by base::quotient, at most 1
+//   react   Q20, |.| < 2, times a mantissa <= 2^10: <= 2^31 is kept off by +-1.99
+//   sum     Q19; rounded once to Q14
 // Two passes, so that compilers see few rows at a time.
 // SPDX-License-Identifier: MIT
 #include "meinhardt_stripes.hpp"

@@ -1,7 +1,9 @@
 // Meinhardt's stripes: two activators that exclude each other through c and help each other through d and e.
-//   a' = s (.01 a^2 e beta / c - ka a) + Da lap a      c' = s (.01 beta (a^2 e + b^2 d) - kc c)      d' = s kd (a - d)
-//   + Dd lap d b' = s (.01 b^2 d beta / c - ka b) + Da lap b                                                    e' = s
-//   kd (b - e) + Dd lap e
+//   a' = s (.01 a^2 e beta / c - ka a) + Da lap a
+//   b' = s (.01 b^2 d beta / c - ka b) + Da lap b
+//   c' = s (.01 beta (a^2 e + b^2 d) - kc c)
+//   d' = s kd (a - d) + Dd lap d
+//   e' = s kd (b - e) + Dd lap e
 // Meinhardt 1982, chapter 12; Turk 1991. Nothing moves but from a difference: initiator cells draw the stripes.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -58,10 +60,6 @@ constexpr int32_t wavelength(const int32_t* number) {
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 12);
 }
 
-constexpr int16_t cell_level(const int32_t* number) {
-  return static_cast<int16_t>(base::min(fixed(number[above], kNarrow), kLargest));
-}
-
 // dt 8 Dd < 2.
 constexpr int32_t most_dt(const int32_t* number, uint8_t) { return largest_dt(number[reach], 0); }
 constexpr Bound bound(const int32_t* number, uint8_t level) {
@@ -84,21 +82,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::meinhardt_stripes
 
 namespace dapple {
-inline constexpr Model meinhardt_stripes_model DAPPLE_ROM = {grid::Cell::int16,
-                                                             0,
-                                                             kinetics::kNarrowUnit,
-                                                             2,
-                                                             meinhardt_stripes::in_range,
-                                                             meinhardt_stripes::planes,
-                                                             kinetics::tensor,
-                                                             meinhardt_stripes::levels,
-                                                             meinhardt_stripes::wavelength,
-                                                             meinhardt_stripes::cell_level,
-                                                             meinhardt_stripes::values,
-                                                             nullptr,
-                                                             meinhardt_stripes::react_row,
-                                                             nullptr,
-                                                             nullptr,
-                                                             false,
-                                                             meinhardt_stripes::bound};
+inline constexpr Model meinhardt_stripes_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int16, 2, meinhardt_stripes::in_range, meinhardt_stripes::planes, meinhardt_stripes::levels,
+                       meinhardt_stripes::wavelength, meinhardt_stripes::values, meinhardt_stripes::react_row, meinhardt_stripes::bound);
 }  // namespace dapple

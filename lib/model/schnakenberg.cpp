@@ -1,8 +1,9 @@
 // Schnakenberg's reaction, one row. Source and ranges: schnakenberg.hpp.
 //   u, v    Q20, 0..6 and 0..4          lap    Q20, |lap| <= 24
-//   u v     Q12 * Q12, < 24 * 2^24, cut to Q12; u^2 v = u (u v), Q24 in uint32, <= 144 * 2^24 < 2^32, cut to Q14, at
-//   most 60 react   Q14, |.| < 67 < 2^20.1; times a mantissa <= 2^10: < 2^31 sum     Q25, |.| <= 24 D dt + 67 s dt <
-//   64; rounded once to Q20
+//   u v     Q12 * Q12, < 24 * 2^24, cut to Q12
+//   u^2 v   u (u v), Q24 in uint32, <= 144 * 2^24 < 2^32, cut to Q14, at most 60
+//   react   Q14, |.| < 67 < 2^20.1; times a mantissa <= 2^10: < 2^31
+//   sum     Q25, |.| <= 24 D dt + 67 s dt < 64; rounded once to Q20
 // SPDX-License-Identifier: MIT
 #include "schnakenberg.hpp"
 

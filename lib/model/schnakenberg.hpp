@@ -30,11 +30,7 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Dv"),
 };
 
-constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[show] < 2;
-}
-
-constexpr uint8_t planes(const int32_t*) { return 2; }
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
 
 // u0 = a + b, v0 = b / u0^2. Noise of a tenth either way on u; discs hold twice the u.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
@@ -50,8 +46,6 @@ constexpr int32_t wavelength(const int32_t* number) {
   const int64_t root = fourth_root(static_cast<int64_t>(number[spread]) * number[reach], INT64_C(4000000000));
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 3 / 2);
 }
-
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 // dt (8 Dv + s u^2) < 2, with u^2 up to about 3 where v's checkerboard grows.
 constexpr int32_t most_dt(const int32_t* number, uint8_t level) {
@@ -76,21 +70,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::schnakenberg
 
 namespace dapple {
-inline constexpr Model schnakenberg_model DAPPLE_ROM = {grid::Cell::int32,
-                                                        0,
-                                                        kinetics::kWideUnit,
-                                                        0,
-                                                        schnakenberg::in_range,
-                                                        schnakenberg::planes,
-                                                        kinetics::tensor,
-                                                        schnakenberg::levels,
-                                                        schnakenberg::wavelength,
-                                                        schnakenberg::cell_level,
-                                                        schnakenberg::values,
-                                                        nullptr,
-                                                        schnakenberg::react_row,
-                                                        nullptr,
-                                                        nullptr,
-                                                        false,
-                                                        schnakenberg::bound};
+inline constexpr Model schnakenberg_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int32, 0, schnakenberg::in_range, kinetics::two_planes, schnakenberg::levels,
+                       schnakenberg::wavelength, schnakenberg::values, schnakenberg::react_row, schnakenberg::bound);
 }  // namespace dapple

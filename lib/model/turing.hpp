@@ -38,10 +38,8 @@ inline constexpr Number numbers[] = {
 };
 
 constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[show] < 2 && number[growth] - number[decay] >= kLeastB;
+  return kinetics::in_range(numbers, slots, number) && number[growth] - number[decay] >= kLeastB;
 }
-
-constexpr uint8_t planes(const int32_t*) { return 2; }
 
 constexpr int64_t spread_of(const int32_t* number, uint8_t plane) {
   return plane == 0 ? number[spread]
@@ -66,8 +64,6 @@ constexpr int32_t wavelength(const int32_t* number) {
       base::square_root64(static_cast<uint64_t>(base::square_root64(static_cast<uint64_t>(square))) * 1000000);
   return static_cast<int32_t>(number[scale] * root / base::kMicro * 6157522 / base::kMicro);
 }
-
-constexpr int16_t cell_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 
 // dt (8 Da + s b) < 2 with b up to about 6.6; and s dt < 1/8, for the formats of the reaction.
 constexpr int32_t most_dt(const int32_t* number, uint8_t level) {
@@ -94,21 +90,7 @@ void react_row(const grid::Rows& rows);
 }  // namespace dapple::turing
 
 namespace dapple {
-inline constexpr Model turing_model DAPPLE_ROM = {grid::Cell::int32,
-                                                  0,
-                                                  kinetics::kWideUnit,
-                                                  0,
-                                                  turing::in_range,
-                                                  turing::planes,
-                                                  kinetics::tensor,
-                                                  turing::levels,
-                                                  turing::wavelength,
-                                                  turing::cell_level,
-                                                  turing::values,
-                                                  nullptr,
-                                                  turing::react_row,
-                                                  nullptr,
-                                                  nullptr,
-                                                  false,
-                                                  turing::bound};
+inline constexpr Model turing_model DAPPLE_ROM =
+    kinetics::model_of(grid::Cell::int32, 0, turing::in_range, kinetics::two_planes, turing::levels,
+                       turing::wavelength, turing::values, turing::react_row, turing::bound);
 }  // namespace dapple

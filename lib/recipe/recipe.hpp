@@ -96,10 +96,10 @@ template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n;
 inline constexpr Family families[] = {
     {"threshold", &threshold_model, threshold::numbers, count_of(threshold::numbers), "gaussian|euler|multigrid",
      {&evolve::gaussian, &evolve::euler}, 32,
-     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
+     kNoise, -50000, 50000, 0, any_number, any_number, nullptr, evolve::in_blocks},
     {"mapped", &mapped_model, mapped::numbers, count_of(mapped::numbers), "flux|lean|styled|surface",
      {&evolve::flux, &evolve::lean_flux, &evolve::styled, &evolve::surface}, 32,
-     {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row}, -50000, 50000},
+     kNoise, -50000, 50000},
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},

@@ -21,7 +21,7 @@ static Along along_of(int32_t place, int32_t a_tile, int64_t at, int64_t side, i
 
 // How far from an edge the centre of a disc that touches the band may stand in the lattice, 1/256 cell.
 static int64_t reach_of(const Place& place, const Start& start, uint16_t band, int64_t spacing) {
-  const int64_t radius = (static_cast<int64_t>(start.radius) * 256 / base::kMicro) >> place.level;
+  const int64_t radius = cells(place, start.radius);
   return static_cast<int64_t>(band) * 256 + radius + spacing * start.jitter / base::kMicro;
 }
 

@@ -8,11 +8,6 @@ namespace dapple::start {
 
 constexpr uint32_t kSegments = 68;  // hash streams: x, y, length, angle
 
-// Cells of this grid, 1/256.
-DAPPLE_APART static int64_t cells(const Place& place, int32_t micro) {
-  return (static_cast<int64_t>(micro) * 256 / base::kMicro) >> place.level;
-}
-
 // The distance of cell `at` of the place from the middle, or on the plane the origin, in 1/256 cells.
 static int64_t from_middle(int32_t at, uint16_t size, bool plane) {
   return static_cast<int64_t>(world(at, size, plane)) * 256 - (plane ? 0 : static_cast<int64_t>(size / 2) * 256);
@@ -20,10 +15,11 @@ static int64_t from_middle(int32_t at, uint16_t size, bool plane) {
 
 void point_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
   const int64_t radius = cells(place, start.radius), dy = from_middle(place.y + y, place.height, place.plane);
+  const int32_t value = disc_level(start, levels);
   clear_row(place, levels, row);
   for (uint16_t x = 0; x < place.width; ++x) {
     const int64_t dx = from_middle(place.x + x, place.width, place.plane);
-    if (dx * dx + dy * dy <= radius * radius) set_cell(place, row, x, disc_level(start, levels));
+    if (dx * dx + dy * dy <= radius * radius) set_cell(place, row, x, value);
   }
 }
 
@@ -32,10 +28,11 @@ void line_row(const Place& place, const Start& start, const Levels& levels, uint
   const int16_t along = base::cosine(lean), down = base::sine(lean);
   const bool flat = (along < 0 ? -along : along) > (down < 0 ? -down : down);
   const int64_t radius = cells(place, start.radius), dy = from_middle(place.y + y, place.height, place.plane);
+  const int32_t value = disc_level(start, levels);
   clear_row(place, levels, row);
   for (uint16_t x = 0; x < place.width; ++x) {
     const int64_t off = flat ? dy : from_middle(place.x + x, place.width, place.plane);
-    if (off <= radius && off >= -radius) set_cell(place, row, x, disc_level(start, levels));
+    if (off <= radius && off >= -radius) set_cell(place, row, x, value);
   }
 }
 

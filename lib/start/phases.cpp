@@ -36,8 +36,7 @@ static int32_t node(const Nodes& n, int32_t k) {
 // Uniform nodes of +-1 in Q14; weights of 2^14 in all: |sum| <= 2^28. Five halves of it have the spread of a circle's
 // coordinates.
 void phases_row(const Place& place, const Start& start, const Levels& levels, uint8_t plane, uint16_t y, void* row) {
-  const int64_t pitch =
-      base::max(static_cast<int32_t>((static_cast<int64_t>(start.pitch) * 256 / base::kMicro) >> place.level), 256);
+  const int64_t pitch = base::max(static_cast<int32_t>(cells(place, start.pitch)), 256);
   const Nodes down = nodes_at(world(place.y + y, place.height, place.plane), place.height, place.plane, pitch);
   base::RowKey key[3] = {};
   for (uint8_t k = 0; k < 3; ++k) key[k] = base::row_key(place.seed, kPhases + plane, node(down, k - 1));

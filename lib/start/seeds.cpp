@@ -23,7 +23,7 @@ static void fill_span(const Place& place, void* row, int64_t first, int64_t last
 }
 
 int64_t half_chord(const Place& place, const Start& start, int64_t high, int64_t centre_y, int64_t y) {
-  const int64_t radius = (static_cast<int64_t>(start.radius) * 256 / base::kMicro) >> place.level;
+  const int64_t radius = cells(place, start.radius);
   int64_t dy = y - centre_y;
   if (!place.plane) {  // to the nearest image on the torus
     dy %= high;

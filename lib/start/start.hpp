@@ -98,6 +98,11 @@ constexpr int32_t world(int32_t at, uint16_t size, bool plane) {
   return rest < 0 ? rest + size : rest;
 }
 
+// A length in 1/kMicro cells of the finest grid as 1/256 cells of the place's.
+DAPPLE_APART constexpr int64_t cells(const Place& place, int32_t micro) {
+  return (static_cast<int64_t>(micro) * 256 / base::kMicro) >> place.level;
+}
+
 // One cell of a row.
 inline void set_cell(const Place& place, void* row, uint16_t x, int32_t value) {
   switch (place.cell) {
