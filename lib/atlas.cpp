@@ -1,5 +1,6 @@
 // Patches taking turns, part by part: no ghost cell is copied before all patches have ended their sweep, and no sweep
-// begins before all ghost cells are there. SPDX-License-Identifier: MIT
+// begins before all ghost cells are there.
+// SPDX-License-Identifier: MIT
 #include "atlas.hpp"
 
 namespace dapple {

@@ -1,5 +1,6 @@
 // The mapped family: mass and bounds to the last bit, the same bytes with and without kept directions, on torus and
-// plane. SPDX-License-Identifier: MIT
+// plane.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>

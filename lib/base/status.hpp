@@ -14,7 +14,7 @@ enum Status : int8_t {
   unknown_word = -1,    // no such model, key, word or ramp
   out_of_range = -2,    // a number outside its range
   broken_text = -3,     // not a number, a missing '=', something after the end
-  not_possible = -4,    // words that exclude each other; also unstable, see below
+  not_possible = -4,    // words that exclude each other
 
   // begin: Need says what it wanted
   bad_recipe = -10,     // stages that do not fit each other, or numbers outside their ranges
@@ -30,7 +30,9 @@ enum Status : int8_t {
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
   bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size
-  unstable = -23,       // numbers with which a stage's steps would diverge, or too small for its grid: Need says which
+
+  // parse and begin: Trouble or Need says which number
+  unstable = -23,       // numbers with which a stage's steps would diverge, or too small for its grid
 };
 
 }  // namespace dapple

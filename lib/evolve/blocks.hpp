@@ -7,8 +7,9 @@
 //   layer 3   corners            |x|, |y| < corner
 //
 // A block of layers 1 to 3 is solved again in a margin: it reads the bits of the layers below, has the concentrations settle
-// on them, then lets its own reaction live while that of the margin stays. It reads lower layers only, and blocks of a layer and their margins keep clear of
-// each other: whatever is asked for first, a block is the same. A cell's bit is that of the highest layer that covers it.
+// on them, then lets its own reaction live while that of the margin stays. It reads lower layers only, and blocks of a layer
+// and their margins keep clear of each other: whatever is asked for first, a block is the same. A cell's bit is that of the
+// highest layer that covers it.
 // Only bits pass between blocks: concentrations are a short filter of them, so there is no crease. Shading is a filter of
 // finite support, so that the field is exact too.
 // SPDX-License-Identifier: MIT

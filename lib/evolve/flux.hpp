@@ -1,7 +1,8 @@
 // The macro step of eq. (12) with a map of directions: one reaction, then the passes of stencil/flux.hpp over all
 // planes at once. `flux` keeps the map in planes of its own, 2 bytes a cell; `lean_flux` makes its rows anew for every
 // sweep. Same bytes. `styled` keeps two planes more: wavelength, rho and k from an image; `surface` three: what undoes
-// the metric of a surface [4]. SPDX-License-Identifier: MIT
+// the metric of a surface [4].
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../model/mapped.hpp"
 #include "../stencil/flux.hpp"

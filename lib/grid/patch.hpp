@@ -1,6 +1,7 @@
 // Patches: rectangles of cells with sides that are joined to each other, closed, or held at fixed values [Witkin & Kass
 // 1991, 4.1 and 6.5]. A patch is grown with a ring of ghost cells around it; where a ghost cell's value comes from is
-// said here. SPDX-License-Identifier: MIT
+// said here.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/fixed.hpp"
 

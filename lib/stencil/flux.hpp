@@ -2,7 +2,8 @@
 // 1991, 3.1]. Over one macro step A is a sum of one-dimensional diffusions along eight lattice directions with shares q
 // >= 0 that change from cell to cell; each is done by passes of growing strides, as in lattice.hpp. What a link carries
 // it takes from one cell and gives to the other, so mass is kept exactly. docs/numbers.md has the definition and the
-// proof. SPDX-License-Identifier: MIT
+// proof.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "lattice.hpp"
 #include "maps.hpp"

@@ -1,6 +1,7 @@
 // Direction maps [Witkin & Kass 1991, 3.1]: the doubled direction (cos 2 theta, sin 2 theta) of every cell in Q7, a
 // vector of length 127; a shorter one is a place that is more isotropic. All but the swirls have the tile as their
-// period; on the endless plane that is a square of kPlanePeriod cells. SPDX-License-Identifier: MIT
+// period; on the endless plane that is a square of kPlanePeriod cells.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "steer.hpp"
 #include "surface.hpp"
@@ -72,18 +73,17 @@ inline const PlaceMaps& images_of(const DirectionMap& map) {
   return *static_cast<const PlaceMaps*>(images);
 }
 
-constexpr uint8_t maps_of(DirectionMap::Kind kind) { return kind == DirectionMap::two_angle ? kMostMaps : 1; }
-
 // A cell of a map in one int16: cos in the low byte, sin in the high one.
 constexpr int16_t packed(Doubled d) {
   return static_cast<int16_t>((static_cast<uint16_t>(d.s2) << 8) | static_cast<uint8_t>(d.c2));
 }
 
 // Row y (any, taken modulo the grid) of map `index`: n cells.
-//   radial     g = (sin 2 pi (u - 1/2), sin 2 pi (v - 1/2)), along g, length g^2 / (g^2 + (r0/2)^2): sources at centre
-//   and corner scallop    discs of .6 widths, the lower ones on top, along their circles haunch     three directions 60
-//   degrees apart, weights ((1 + cos) / 2)^8 of u + .1 sin 2 pi v less their third: chevrons two_angle  theta1 = pi sin
-//   2 pi u sin 2 pi v + .4 sin 2 pi (u + v),
+//   radial     g = (sin 2 pi (u - 1/2), sin 2 pi (v - 1/2)), along g, length g^2 / (g^2 + (r0/2)^2): sources at centre and
+//              corner
+//   scallop    discs of .6 widths, the lower ones on top, along their circles
+//   haunch     three directions 60 degrees apart, weights ((1 + cos) / 2)^8 of u + .1 sin 2 pi v less their third: chevrons
+//   two_angle  theta1 = pi sin 2 pi u sin 2 pi v + .4 sin 2 pi (u + v),
 //              theta2 = pi/2 + .9 sin 2 pi (2 u - v) + .9 cos 2 pi (u + 2 v)
 //   corners    from the four colours around a place of a tile of corner tiles, four of which are the period: directions +-
 //              theta, doubled vectors blended with weights 3 t^2 - 2 t^3, whose slope at an edge is 0

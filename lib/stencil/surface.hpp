@@ -1,6 +1,7 @@
 // Surfaces a texture is grown for [Witkin & Kass 1991, 4]: the metric tensor of every cell, and what undoes it. A
 // pattern grown with V A V^T, V V^T the inverse metric, has on the surface the sizes that one grown with A has in the
-// plane. SPDX-License-Identifier: MIT
+// plane.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../base/math.hpp"
 #include "../base/status.hpp"

@@ -5,7 +5,8 @@
 //   options.driver = &driver;
 //
 // Sweeps over single planes go by plane, all others by bands, of which a texture has Options::bands. One texture at a
-// time. SPDX-License-Identifier: MIT
+// time.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/evolve/run.hpp"
 #include "crew.hpp"

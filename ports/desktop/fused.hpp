@@ -1,5 +1,6 @@
 // Several sweeps at a time while their rows are in cache: the passes of one plane, or steps of a model on all its
-// planes. SPDX-License-Identifier: MIT
+// planes.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
 #include <vector>

@@ -1,5 +1,6 @@
 // Gray-Scott in one loop: stencil and reaction of lib/stencil/laplacian.cpp and lib/model/gray_scott.cpp, with no row
-// of sums between them. Whatever else a kinetic step is made of goes the portable way. SPDX-License-Identifier: MIT
+// of sums between them. Whatever else a kinetic step is made of goes the portable way.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::evolve {

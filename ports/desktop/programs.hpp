@@ -1,5 +1,6 @@
 // Cell programs a vector at a time, as polynomials over two elements: f = f0 ^ (x & f1) for one cell of the
-// neighbourhood after the other [Reed-Muller], sixty-two operations whatever the program. SPDX-License-Identifier: MIT
+// neighbourhood after the other [Reed-Muller], sixty-two operations whatever the program.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::cells {

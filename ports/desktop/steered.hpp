@@ -1,6 +1,6 @@
 // Steerable binary convolution a vector of cells at a time: what lib/stencil/steer.cpp and directions.cpp do for one
-// cell after the other, as loops over arrays. Same numbers; bounds and formats are told there. SPDX-License-Identifier:
-// MIT
+// cell after the other, as loops over arrays. Same numbers; bounds and formats are told there.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::stencil {

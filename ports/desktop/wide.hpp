@@ -1,5 +1,6 @@
 // A vector of DAPPLE_WIDE bytes as a machine word: what the templates of bit-sliced kernels (lib/stencil/slices.hpp)
-// ask of one. GNU vector types, so that one text serves SSE2, AVX2, NEON and simd128. SPDX-License-Identifier: MIT
+// ask of one. GNU vector types, so that one text serves SSE2, AVX2, NEON and simd128.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/stencil/slices.hpp"
 

@@ -1,5 +1,6 @@
 // Yardsticks for dapple bench, one of each for every instruction set: plain float loops that do what a model does, and
-// how fast this processor loads, computes and copies at most. SPDX-License-Identifier: MIT
+// how fast this processor loads, computes and copies at most.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <stddef.h>
 #include <stdint.h>

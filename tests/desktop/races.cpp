@@ -1,5 +1,6 @@
 // Textures of every family on 1, 2, 3 and 8 threads, for a build under the thread sanitizer (tests/checks/threads.sh):
-// it ends well if all have the same bytes, and the sanitizer saw no race. SPDX-License-Identifier: MIT
+// it ends well if all have the same bytes, and the sanitizer saw no race.
+// SPDX-License-Identifier: MIT
 #include <cstdio>
 
 #include "../grow.hpp"

@@ -1,5 +1,6 @@
 // The mapped family in float64: the formulas of docs/numbers.md in exact arithmetic, and constant maps against the
-// passes of the threshold family. SPDX-License-Identifier: MIT
+// passes of the threshold family.
+// SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
 #include <algorithm>

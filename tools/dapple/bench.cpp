@@ -1,5 +1,6 @@
 // dapple bench: every piece of work by every kernel table, as rate, ratio to the portable table and share of what the
-// processor could do at most; then the time from recipe to painted tile of every preset. SPDX-License-Identifier: MIT
+// processor could do at most; then the time from recipe to painted tile of every preset.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>

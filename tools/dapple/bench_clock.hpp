@@ -1,5 +1,6 @@
 // Times that can be trusted on a machine with other work: time of this thread only, rounds that take turns, least and
-// median. SPDX-License-Identifier: MIT
+// median.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
 #include <vector>

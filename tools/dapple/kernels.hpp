@@ -1,5 +1,6 @@
 // Which row kernels grow a texture, a table of ports/desktop picked when the program runs, and on how many threads.
-// Neither changes a byte. SPDX-License-Identifier: MIT
+// Neither changes a byte.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
 #include <string>

@@ -1,5 +1,6 @@
 // A shaded picture of a surface with a texture on it: the only place where the command line counts with fractions, and
-// nothing is grown of it. SPDX-License-Identifier: MIT
+// nothing is grown of it.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
 
