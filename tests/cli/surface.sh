@@ -2,8 +2,8 @@
 # Tests textures for surfaces, sides and atlases: surface.sh DAPPLE. One line a failed check, a sum at the end.
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.bash"
-run() { "$dapple" "$@"; }
-hash_of() { "$dapple" surface "$@" --hash; }
+run() { timeout 120 "$dapple" "$@"; }
+hash_of() { run surface "$@" --hash; }
 grown() { "$dapple" grow "$@" --hash; }
 golden=$here/../golden/surfaces.txt
 

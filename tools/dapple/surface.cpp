@@ -139,6 +139,7 @@ class Cloth {
 
   void grow(uint32_t budget, Progress& progress) {
     const bool alone = ground_.patch.empty();
+    if (budget == 0) budget = 4096;
     while ((alone ? texture_[0].step(budget) : atlas_.step(budget)) == dapple::more)
       progress.show(name_, alone ? texture_[0].rows_done() : atlas_.rows_done(),
                     alone ? texture_[0].rows_in_all() : atlas_.rows_in_all());
