@@ -27,7 +27,7 @@ enum Status : int8_t {
   too_far = -17,        // a window beyond 2^30 cells from the origin
   halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
   unstable = -20,       // numbers with which a stage's steps would diverge, or too small for its grid: Need says which
-  bad_map = -19,        // map=image or solver=styled without an image, or with one of a wrong size
+  bad_map = -19,        // map=image, solver=styled or solver=pictured without an image, or with one of a wrong size
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
   bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size
