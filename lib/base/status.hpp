@@ -31,6 +31,9 @@ enum Status : int8_t {
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
   bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size
+
+  // stamp, change, go_on
+  not_now = -30,        // within a step, a start or a refinement; or of a texture that cannot be disturbed so
 };
 
 }  // namespace dapple
