@@ -83,8 +83,9 @@ TEST_CASE("a picture is recognised in what has grown from it") {
   const std::vector<uint8_t> picture = photograph();
   const dapple::PlaceMaps maps = maps_of(picture, kSide, kSide);
   const uint16_t side = 288;
-  for (const char* text : {"turing solver=pictured show=b decay=12 scale=4.47 steps=2000",
-                           "turing solver=pictured show=b decay=20 growth=25 dark=23.8 lit=28.5 scale=4.47 steps=2000"}) {
+  for (const char* text :
+       {"turing solver=pictured show=b decay=12 scale=4.47 steps=2000",
+        "turing solver=pictured show=b decay=20 growth=25 dark=23.8 lit=28.5 scale=4.47 steps=2000"}) {
     const std::vector<int16_t> field = grown(text, maps, dapple::torus(side, side));
     std::vector<double> grey;
     for (int y = 0; y < side; ++y)

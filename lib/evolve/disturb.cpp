@@ -15,8 +15,9 @@ static void fill(const Run& run, uint8_t plane, int32_t x, int32_t y, int32_t le
   if (run.domain.plane && (x < 0 || y < 0 || x >= width || y >= height)) return;
   x = (x % width + width) % width;
   y = (y % height + height) % height;
-  start::set_cell({run.field.cell, run.field.width, run.field.height, run.stage.level, 0, 0, run.domain.plane, run.seed},
-                  row_of(run.field, plane, static_cast<uint16_t>(y)), static_cast<uint16_t>(x), level);
+  start::set_cell(
+      {run.field.cell, run.field.width, run.field.height, run.stage.level, 0, 0, run.domain.plane, run.seed},
+      row_of(run.field, plane, static_cast<uint16_t>(y)), static_cast<uint16_t>(x), level);
 }
 
 // Pixels are the cells of the finest grid; on coarser ones a cell is in where its first pixel is.

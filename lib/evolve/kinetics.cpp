@@ -45,9 +45,7 @@ void prepare_pictured(const Context& context) {
 }
 
 static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
-static uint8_t held_at(const grid::Rows& rows) {
-  return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]);
-}
+static uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]); }
 
 // in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
 // the sums of every morphogen, a row of zeros where no rate varies, then the reaction's own rows.
@@ -129,8 +127,8 @@ static void picture_row(const grid::Rows& rows) {
   base::copy_bytes(&stored, t + table_count, sizeof stored);
   vary_cells(rows, more);
   stencil::grey_row(static_cast<const PlaceMaps*>(stored)->grey, t[origin_x] + rows.x, t[origin_y] + rows.y,
-                    plane ? period : static_cast<uint16_t>(t[ring_x]), plane ? period : static_cast<uint16_t>(t[ring_y]),
-                    rows.n, grey);
+                    plane ? period : static_cast<uint16_t>(t[ring_x]),
+                    plane ? period : static_cast<uint16_t>(t[ring_y]), rows.n, grey);
   for (uint16_t x = 0; x < rows.n; ++x) more[x] += rows.p[0] + rows.p[1] * (grey[x] >> 2) / 16320;
 }
 

@@ -1,7 +1,6 @@
 // Explicit kinetics: one step of all morphogens in one sweep, diffusion by five points or, stretched, by eight
-// neighbours. `kinetics` grows; `cascade` also holds cells: they are read by their neighbours, never written; `pictured`
-// grows by a picture [Lawlor].
-// SPDX-License-Identifier: MIT
+// neighbours. `kinetics` grows; `cascade` also holds cells: they are read by their neighbours, never written;
+// `pictured` grows by a picture [Lawlor]. SPDX-License-Identifier: MIT
 #pragma once
 #include "../model/kinetics.hpp"
 #include "../model/turing.hpp"
@@ -58,7 +57,6 @@ constexpr Reach cascade_reach(const Model& model, const int32_t* number, uint8_t
   return reach_of_kinetics(model, number, true);
 }
 
-
 // A plane of growth behind the model's own; where the picture is follows the table.
 constexpr uint8_t kPictureWords = (sizeof(const GreyImage*) + 3) / 4;
 constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
@@ -84,8 +82,9 @@ void kinetics_field(const grid::Rows& rows);
 void cascade_field(const grid::Rows& rows);
 
 inline constexpr Solver kinetics_solver DAPPLE_ROM = {kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field};
-inline constexpr Solver cascade_solver DAPPLE_ROM = {cascade_reach, cascade_next,  prepare_kinetics, cascade_field, nullptr,
-                                                     Sharing::none, 1,             nullptr,          true};
-inline constexpr Solver pictured DAPPLE_ROM = {pictured_reach, pictured_next, prepare_pictured, kinetics_field, accepts_picture};
+inline constexpr Solver cascade_solver DAPPLE_ROM = {
+    cascade_reach, cascade_next, prepare_kinetics, cascade_field, nullptr, Sharing::none, 1, nullptr, true};
+inline constexpr Solver pictured DAPPLE_ROM = {pictured_reach, pictured_next, prepare_pictured, kinetics_field,
+                                               accepts_picture};
 
 }  // namespace dapple::evolve

@@ -15,8 +15,8 @@ using kinetics::Rate;
 // grown: the deviations are of the growth, and not of the decay.
 template <bool grown>
 static void react(int32_t* DAPPLE_RESTRICT a, int32_t* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a,
-                  const int32_t* DAPPLE_RESTRICT lap_b, const int32_t* DAPPLE_RESTRICT more, uint16_t n,
-                  int32_t growth, int32_t decay, Rate speed, Rate da, Rate db) {
+                  const int32_t* DAPPLE_RESTRICT lap_b, const int32_t* DAPPLE_RESTRICT more, uint16_t n, int32_t growth,
+                  int32_t decay, Rate speed, Rate da, Rate db) {
   constexpr int32_t kMostA = kLargestA * (INT32_C(1) << kWide), kMostB = kLargestB * (INT32_C(1) << kWide);
   for (uint16_t x = 0; x < n; ++x) {
     const uint32_t product = (static_cast<uint32_t>(a[x]) >> 9) * (static_cast<uint32_t>(b[x]) >> 8);
