@@ -91,6 +91,22 @@ Status Texture::step(uint32_t rows) {
   return (blocks_ == nullptr ? evolve::advance(run_, rows) : blocks_->advance(*blocks_, run_, rows)) ? more : done;
 }
 
+Status Texture::stamp(int32_t x, int32_t y, uint16_t radius, bool on) {
+  rows_seen_ = UINT64_MAX;
+  return between_steps() ? evolve::stamp(run_, x, y, radius, on) : not_now;
+}
+
+Status Texture::change(uint8_t slot, int32_t value) {
+  return between_steps() ? evolve::change(run_, slot, value) : not_now;
+}
+
+Status Texture::go_on(uint32_t steps) {
+  uint64_t rows = 0;
+  const Status status = between_steps() ? evolve::go_on(run_, steps, rows) : not_now;
+  rows_in_all_ += rows;
+  return status;
+}
+
 // Forgets the rows at hand if anything has moved since they were made.
 void Texture::look_again() {
   if (rows_seen_ == run_.rows) return;

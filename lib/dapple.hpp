@@ -100,6 +100,19 @@ class Texture {
   // Everything that is left.
   void finish() { while (step(UINT32_MAX) == more) {} }
 
+  // Disturbs a texture that is between two whole steps (a caller stops there by its count of rows, or finish) or done:
+  // not_now elsewhere, and of corner tiles, patches, windows in blocks, one-bit cells and frugal textures. The same calls
+  // after the same steps give the same bits, however the steps were sliced.
+  //   stamp    a disc of pixels, radius at most 4096, becomes what discs of seeds are, or (on false) the uniform state
+  //   change   number `slot` of the recipe's stage, 1/kMicro or a word's index, until the stage ends; explicit kinetics only.
+  //            out_of_range, unstable: it cannot be that, and stays
+  //   go_on    as many steps more of the last stage, once the texture is done; not of windows of the plane. Schedules then
+  //            run over all the steps
+  Status stamp(int32_t x, int32_t y, uint16_t radius, bool on);
+  Status change(uint8_t slot, int32_t value);
+  Status go_on(uint32_t steps);
+  bool between_steps() const { return blocks_ == nullptr && !frugal_ && evolve::between_steps(run_); }
+
   // Progress: rows of work done and in all; steps done in all stages.
   uint64_t rows_done() const { return run_.rows; }
   uint64_t rows_in_all() const { return rows_in_all_; }

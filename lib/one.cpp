@@ -35,6 +35,7 @@
 #include "evolve/blocks.cpp"
 #include "evolve/convolution.cpp"
 #include "evolve/corners.cpp"
+#include "evolve/disturb.cpp"
 #include "evolve/euler.cpp"
 #include "evolve/field.cpp"
 #include "evolve/flux.cpp"

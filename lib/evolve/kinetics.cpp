@@ -34,12 +34,18 @@ void prepare_kinetics(const Context& context) {
   table[on_plane] = context.plane;
   table[seed_of] = static_cast<int32_t>(context.seed);
   table[wide_cells] = wide(*context.model);
+  table[has_rates] = table[varies] > 0;
+  table[level_of] = context.level;
+}
+
+void prepare_pictured(const Context& context) {
+  prepare_kinetics(context);
+  context.table[has_rates] = 1;
+  base::copy_bytes(context.table + table_count, &context.stored, sizeof context.stored);
 }
 
 static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
-static uint8_t held_at(const grid::Rows& rows) {
-  return static_cast<uint8_t>(kept_at(rows) + (rows.table[varies] > 0 ? 1 : 0));
-}
+static uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]); }
 
 // in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
 // the sums of every morphogen, a row of zeros where no rate varies, then the reaction's own rows.
@@ -55,7 +61,7 @@ static void step_row(const grid::Rows& rows) {
   }
   int32_t* const zeros = reinterpret_cast<int32_t*>(rows.scratch + planes * row_bytes);
   react.in[planes] = zeros;
-  if (rows.table[varies] > 0) react.in[planes] = rows.out[planes];
+  if (rows.table[has_rates] != 0) react.in[planes] = rows.out[planes];
   else
     for (uint16_t x = 0; x < rows.n; ++x) zeros[x] = 0;
   react.scratch = rows.scratch + (planes + 1u) * row_bytes;
@@ -116,6 +122,23 @@ static void enter_row(const grid::Rows& rows) {
   }
 }
 
+// The first sweep of a stage that grows by a picture: what growth has more than the recipe's number. p: {where the
+// picture is black, how much more where it is white}, Q12, |.| <= 28 * 2^12; grey in Q6 <= 16320: products < 2^31.
+static void picture_row(const grid::Rows& rows) {
+  const int32_t* t = rows.table;
+  const bool plane = t[on_plane] != 0;
+  const uint16_t period = static_cast<uint16_t>(stencil::kPlanePeriod >> t[level_of]);
+  int32_t* const more = grid::out32(rows, kept_at(rows));
+  int32_t* const grey = reinterpret_cast<int32_t*>(rows.scratch);
+  const void* maps = nullptr;
+  base::copy_bytes(&maps, t + table_count, sizeof maps);
+  vary_cells(rows, more);
+  stencil::grey_row(static_cast<const PlaceMaps*>(maps)->grey, t[origin_x] + rows.x, t[origin_y] + rows.y,
+                    plane ? period : static_cast<uint16_t>(t[ring_x]),
+                    plane ? period : static_cast<uint16_t>(t[ring_y]), rows.n, grey);
+  for (uint16_t x = 0; x < rows.n; ++x) more[x] += rows.p[0] + rows.p[1] * (grey[x] >> 2) / 16320;
+}
+
 static int32_t mode_of(const Context& context, bool has_mask) {
   const bool begins = context.entry == Entry::freeze || context.entry == Entry::reset;
   const int32_t reset = begins ? context.number[kinetics::reset] : 0;
@@ -162,6 +185,24 @@ bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   if (enters && at == 0) enter_sweep(context, false, sweep);
   else step_sweep(context, false, step_row, sweep);
   return at <= (enters ? 1 : 0);
+}
+
+bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  const int32_t* number = context.number;
+  const uint16_t at = cursor.sweep++;
+  if (context.first && at == 0) {
+    all_planes(context, false, sweep);
+    sweep.count = static_cast<uint8_t>(context.model->planes(number) + 1);
+    sweep.radius = 0;
+    sweep.row = picture_row;
+    sweep.p[0] = kinetics::fixed(number[turing::dark] - number[turing::growth], kinetics::kVaryBits);
+    sweep.p[1] = kinetics::fixed(number[turing::lit] - number[turing::dark], kinetics::kVaryBits);
+    return true;
+  }
+  step_sweep(context, false, step_row, sweep);
+  sweep.count = static_cast<uint8_t>(context.model->planes(number) + 1);
+  sweep.p[turing::kGrown] = 1;
+  return at <= (context.first ? 1 : 0);
 }
 
 bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep) {

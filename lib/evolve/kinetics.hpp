@@ -1,9 +1,11 @@
 // Explicit kinetics: one step of all morphogens in one sweep, diffusion by five points or, stretched, by eight
-// neighbours. `kinetics` grows; `cascade` also holds cells: they are read by their neighbours, never written.
-// SPDX-License-Identifier: MIT
+// neighbours. `kinetics` grows; `cascade` also holds cells: they are read by their neighbours, never written;
+// `pictured` grows by a picture [Lawlor]. SPDX-License-Identifier: MIT
 #pragma once
 #include "../model/kinetics.hpp"
+#include "../model/turing.hpp"
 #include "../stencil/diffuse.hpp"
+#include "../stencil/maps.hpp"
 #include "solver.hpp"
 
 namespace dapple::evolve {
@@ -22,6 +24,8 @@ enum KineticTable : uint8_t {
   on_plane,
   seed_of,
   wide_cells,
+  has_rates,  // a plane of deviations is kept
+  level_of,
   table_count
 };
 
@@ -53,14 +57,34 @@ constexpr Reach cascade_reach(const Model& model, const int32_t* number, uint8_t
   return reach_of_kinetics(model, number, true);
 }
 
+// A plane of growth behind the model's own; where the picture is follows the table.
+constexpr uint8_t kPictureWords = (sizeof(const GreyImage*) + 3) / 4;
+constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
+  Reach reach = reach_of_kinetics(model, number, false);
+  reach.planes = static_cast<uint8_t>(model.planes(number) + 1);
+  reach.kept = reach.once = 1;
+  reach.table = static_cast<uint16_t>(table_count + kPictureWords);
+  return reach;
+}
+constexpr Status accepts_picture(const int32_t*, const void* given, const Domain&) {
+  if (given == nullptr) return bad_map;
+  const GreyImage& image = static_cast<const PlaceMaps*>(given)->grey;
+  const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
+  return good ? ok : bad_map;
+}
+
 bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep);
 bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep);
+bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep);
 void prepare_kinetics(const Context& context);
+void prepare_pictured(const Context& context);
 void kinetics_field(const grid::Rows& rows);
 void cascade_field(const grid::Rows& rows);
 
 inline constexpr Solver kinetics_solver DAPPLE_ROM = {kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field};
-inline constexpr Solver cascade_solver DAPPLE_ROM = {cascade_reach, cascade_next,  prepare_kinetics, cascade_field, nullptr,
-                                                     Sharing::none, 1,             nullptr,          true};
+inline constexpr Solver cascade_solver DAPPLE_ROM = {
+    cascade_reach, cascade_next, prepare_kinetics, cascade_field, nullptr, Sharing::none, 1, nullptr, true};
+inline constexpr Solver pictured DAPPLE_ROM = {pictured_reach, pictured_next, prepare_pictured, kinetics_field,
+                                               accepts_picture};
 
 }  // namespace dapple::evolve

@@ -193,6 +193,26 @@ static uint32_t driven(Run& run, uint32_t rows) {
   return run.driver->step(*run.driver, run, rows);
 }
 
+// A sweep that has been opened, the first of its step, of which no row is done.
+bool between_steps(const Run& run) {
+  if (run.phase == Phase::done) return true;
+  return run.phase == Phase::sweeping && run.sweep.row != nullptr && run.cursor.sweep == 1 && run.at_band == 0 &&
+         !run.band[0].open && run.band[0].run == 0;
+}
+
+// Its margin stays.
+void reopen_sweep(Run& run) {
+  if (run.phase == Phase::done) return;
+  run.cursor.sweep = 0;
+  next_sweep(run);
+  begin_sweep(run.field, run.sweep, run.band);
+}
+
+void prepare_stage(Run& run) {
+  if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
+  reopen_sweep(run);
+}
+
 static uint32_t sweep_rows(Run& run, uint32_t rows) {
   Band& band = run.band[run.at_band];
   const uint32_t done = run_band(run.field, run.sweep, run.table, run.at_band, band, rows);

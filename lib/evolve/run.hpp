@@ -11,6 +11,7 @@ constexpr uint8_t kMaxLevel = 3;
 constexpr uint8_t kMaxCoarse = 2;  // that a picture may stay at
 constexpr uint8_t kMaxBands = 64;
 constexpr uint32_t kMaxSteps = 4000000;
+constexpr uint16_t kMostStamp = 4096;  // radius, pixels
 
 // A model, its numbers, the grid (finest size / 2^level) and how long.
 struct Stage {
@@ -169,5 +170,20 @@ bool take_sweep(Run& run);
 // At most `rows` rows of work; false when nothing is left to do. one_part: ends where run.parts moves on, so that patches
 // can take turns.
 bool advance(Run& run, uint32_t rows, bool one_part = false);
+
+// Whether nothing is under way: all steps so far are whole, in all planes, on the grid of the stage.
+bool between_steps(const Run& run);
+
+// What disturbs a run between two steps (disturb.cpp).
+//   stamp    the cells of a disc, in pixels of the domain, of all planes: as discs of seeds, or back to the uniform state
+//   change   a number of the current stage, for what is left of it; of explicit kinetics
+//   go_on    more steps of the last stage, of a run that is done; rows: of work
+Status stamp(Run& run, int32_t x, int32_t y, uint16_t radius, bool on);
+Status change(Run& run, uint8_t slot, int32_t value);
+Status go_on(Run& run, uint32_t steps, uint64_t& rows);
+
+// Makes the sweep that comes next anew, where planes have changed; and what the stage keeps, where numbers have.
+void reopen_sweep(Run& run);
+void prepare_stage(Run& run);
 
 }  // namespace dapple::evolve

@@ -12,10 +12,11 @@ using namespace kinetics;
 // <= 11.3) never touch; b = 0 needs it.
 constexpr int32_t kLargestA = 20, kLargestB = 14;
 
-enum Own : uint8_t { growth = own, decay, spread, ratio, slots };
+enum Own : uint8_t { growth = own, decay, spread, ratio, dark, lit, slots };
 
 constexpr int32_t kGrowth[2] = {2000000, 30000000}, kDecay[2] = {1000000, 29000000}, kSpread[2] = {10000, 240000},
                   kRatio[2] = {2000000, 16000000};
+constexpr uint8_t kGrown = 5;             // of p
 constexpr int32_t kLeastB = 500000;       // g - d, the uniform b
 constexpr int32_t kPeak = 6600000;        // b where steps first diverge, measured
 constexpr int32_t kLeastScale = 3000000;  // cells of the grid: a wavelength of four
@@ -29,12 +30,14 @@ inline constexpr Number numbers[] = {
     held_number,
     stretch_number,
     angle_number,
-    vary_number(1000000, "per cell: decay is uniform within this of its value"),
+    vary_number(1000000, "per cell: decay (with a picture, growth) is uniform within this of its value"),
     decimal("growth", kGrowth[0], kGrowth[1], 16000000, "g, the rate at which a is made"),
     decimal("decay", kDecay[0], kDecay[1], 12050000,
             "d, the rate at which b goes; 12.05 round spots, 12.25 fast ones, 12.5 worms among them"),
     decimal("spread", kSpread[0], kSpread[1], 200000, "cells^2 per step: Da, the diffusion of a"),
     decimal("ratio", kRatio[0], kRatio[1], 4000000, "Da / Db"),
+    decimal("dark", kGrowth[0], kGrowth[1], 14400000, "with solver=pictured: growth where the picture is black"),
+    decimal("lit", kGrowth[0], kGrowth[1], 18000000, "with solver=pictured: growth where the picture is white"),
 };
 
 constexpr bool in_range(const int32_t* number) {
@@ -75,7 +78,7 @@ constexpr Bound bound(const int32_t* number, uint8_t level) {
   return bound_of(number, level, kLeastScale, most_dt(number, level));
 }
 
-// p: {g, d in Q12; rates of the reaction, of Da and of Db, packed}
+// p: {g, d in Q12; rates of the reaction, of Da and of Db, packed; whether what varies is g}
 constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
   const int32_t step = step_of(number, most_dt(number, clock.level));
   p[0] = fixed(number[growth], 12);
@@ -83,6 +86,7 @@ constexpr void values(const int32_t* number, Clock clock, int32_t* p) {
   p[2] = packed(rate_of(times_dt(speed_q30(number, clock.level), step), 12, kWide));
   for (uint8_t plane = 0; plane < 2; ++plane)
     p[3 + plane] = packed(rate_of(times_dt(q30_of(spread_of(number, plane)), step), 14, kWide));
+  p[kGrown] = 0;
 }
 
 void react_row(const grid::Rows& rows);

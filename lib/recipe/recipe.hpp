@@ -89,6 +89,12 @@ constexpr Family kinetics_family(const char* name, const Model* model, const Num
   return {name, model, numbers, count, "plain|cascade", {&evolve::kinetics_solver, &evolve::cascade_solver}, steps, start, low, high, 0,
           any_number, any_number, nullptr, nullptr, &evolve::cascade_solver};
 }
+// And one whose rate a picture can set.
+constexpr Family with_picture(Family family) {
+  family.solver_names = "plain|cascade|pictured";
+  family.solvers[2] = &evolve::pictured;
+  return family;
+}
 constexpr Start kNoise = {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row};
 
 template <uint8_t n> constexpr uint8_t count_of(const Number (&)[n]) { return n; }
@@ -103,7 +109,7 @@ inline constexpr Family families[] = {
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},
-    kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000),
+    with_picture(kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000)),
     kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000),
     kinetics_family("meinhardt-stripes", &meinhardt_stripes_model, meinhardt_stripes::numbers, count_of(meinhardt_stripes::numbers), 2000, kNoise, 0, 1900000),
     kinetics_family("fitzhugh-nagumo", &fitzhugh_nagumo_model, fitzhugh_nagumo::numbers, count_of(fitzhugh_nagumo::numbers), 2000, kNoise, -1000000, 1000000),

@@ -244,11 +244,16 @@ void inverse_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* const* o
   }
 }
 
-// A channel between four cells: bytes to Q8.
-static int32_t between(const StyleImage& image, int32_t px, int32_t py, uint8_t channel) {
+// A channel between four cells: bytes to Q8. channels: of a cell; 1 of a grey picture.
+struct Bytes {
+  const uint8_t* cells;
+  uint16_t width, height;
+  uint8_t channels;
+};
+static int32_t between(const Bytes& image, int32_t px, int32_t py, uint8_t channel) {
   const auto cell = [&](int32_t i, int32_t j) {
-    return static_cast<int32_t>(image.cells[3 * (static_cast<size_t>(folded(j, image.height)) * image.width +
-                                                 static_cast<size_t>(folded(i, image.width))) +
+    return static_cast<int32_t>(image.cells[image.channels * (static_cast<size_t>(folded(j, image.height)) * image.width +
+                                                              static_cast<size_t>(folded(i, image.width))) +
                                             channel]);
   };
   const int32_t i = px >> 8, j = py >> 8, fx = px & 255, fy = py & 255;
@@ -258,7 +263,8 @@ static int32_t between(const StyleImage& image, int32_t px, int32_t py, uint8_t 
 }
 
 void style_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k) {
-  const StyleImage& image = images_of(m).style;
+  const StyleImage& style = images_of(m).style;
+  const Bytes image = {style.cells, style.width, style.height, 3};
   const uint16_t row = static_cast<uint16_t>(folded(m.y + folded(y, m.rows), m.height));
   const int32_t py = static_cast<int32_t>(centre(row, m.height, static_cast<uint16_t>(128u * image.height))) - 128;
   uint16_t at = static_cast<uint16_t>(folded(m.x, m.width));
@@ -270,6 +276,18 @@ void style_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* lack, int1
     const int32_t rho = ((between(image, px, py, 1) + 128) >> 8) - 128, k = (between(image, px, py, 2) + 128) >> 8;
     rho_k[x] = static_cast<int16_t>((static_cast<uint16_t>(rho) << 8) | static_cast<uint16_t>(k));
     at = static_cast<uint16_t>(at + 1 == m.width ? 0 : at + 1);
+  }
+}
+
+void grey_row(const GreyImage& grey, int32_t x, int32_t y, uint16_t width, uint16_t height, uint16_t n, int32_t* out) {
+  const Bytes image = {grey.cells, grey.width, grey.height, 1};
+  const uint16_t row = static_cast<uint16_t>(folded(y, height));
+  const int32_t py = static_cast<int32_t>(centre(row, height, static_cast<uint16_t>(128u * image.height))) - 128;
+  uint16_t at = static_cast<uint16_t>(folded(x, width));
+  for (uint16_t i = 0; i < n; ++i) {
+    const int32_t px = static_cast<int32_t>(centre(at, width, static_cast<uint16_t>(128u * image.width))) - 128;
+    out[i] = between(image, px, py, 0);
+    at = static_cast<uint16_t>(at + 1 == width ? 0 : at + 1);
   }
 }
 

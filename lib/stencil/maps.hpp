@@ -27,12 +27,19 @@ struct StyleImage {
   uint16_t width, height;  // 1..kMostImage
 };
 
-// What a stage of the mapped family finds in Stage::stored: directions for map=image, styles for solver=styled, a measured
-// surface for solver=surface.
+// A grey picture from the caller, stretched over the tile and interpolated: a byte a cell, row by row.
+struct GreyImage {
+  const uint8_t* cells;
+  uint16_t width, height;  // 1..kMostImage
+};
+
+// What a stage finds in Stage::stored. Of the mapped family: directions for map=image, styles for solver=styled, a measured
+// surface for solver=surface. Of kinetics: the picture of solver=pictured.
 struct PlaceMaps {
   DirectionImage direction;
   StyleImage style;
   const Surface* surface = nullptr;
+  GreyImage grey = {nullptr, 0, 0};
 };
 
 }  // namespace dapple
@@ -107,5 +114,8 @@ void inverse_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* const*
 // 64); rho's steps from -128 in the high byte, k's share in the low one.
 constexpr uint8_t kStyleRows = 2;
 void style_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k);
+
+// A row of n cells of a grey picture, Q8: 0..65280. (x, y): the world's first cell, any; width, height: of the period.
+void grey_row(const GreyImage& image, int32_t x, int32_t y, uint16_t width, uint16_t height, uint16_t n, int32_t* out);
 
 }  // namespace dapple::stencil

@@ -2,6 +2,7 @@
 // prints the best of both and their ratio. Portable kernels, one core.
 //   bench [NAME ...]    lines whose name contains one of the words
 //   bench --solvers     the tables of docs/bench/solvers.md
+//   bench --grids       kinetics over three grids and over one
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
@@ -146,6 +147,7 @@ std::vector<Line> lines() {
   }
   all.push_back({"zebra levels=2 256x256", "", 0, 0, Ours("zebra", "levels=2", square), float_gray_scott});
   all.push_back({"gray-scott 256x256", cells, 200.0 * 65536, 10.0 * 65536, Ours("mitosis", "steps=200", square), float_gray_scott});
+  all.push_back({"turing 256x256", cells, 200.0 * 65536, 10.0 * 65536, Ours("turing", "steps=200", square), float_gray_scott});
   for (const char* name : {"zebra-bits", "weave-bits", "maze-bits", "labyrinth-bits", "coral-bits", "fingerprint"})
     all.push_back({std::string("convolution ") + name, cells, 40.0 * 65536, 65536, Ours(name, "level=0 steps=40", square), byte_convolution});
   all.push_back({"cell program 1024x1024", cells, 50.0 * 1048576, 1048576, Ours("cells rule=0xB5A3C96E", "steps=50", dapple::torus(1024, 1024)), byte_program});
@@ -159,6 +161,7 @@ std::vector<Line> lines() {
 
 int main(int count, char** words) {
   if (count == 2 && std::strcmp(words[1], "--solvers") == 0) return print_solvers(), 0;
+  if (count == 2 && std::strcmp(words[1], "--grids") == 0) return print_grids(), 0;
   for (const Line& line : lines()) {
     bool wanted = count == 1;
     for (int i = 1; i < count; ++i) wanted = wanted || line.name.find(words[i]) != std::string::npos;

@@ -3,3 +3,6 @@
 #pragma once
 
 void print_solvers();
+
+// Turing's spots over three grids and on the finest alone, until as many cells are on.
+void print_grids();

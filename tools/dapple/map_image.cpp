@@ -92,21 +92,46 @@ void read_map(const std::string& path, MapAs as, PictureMaps& to) {
   to.maps.direction = {to.pairs.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
 }
 
-void read_styles(const std::string& path, PictureMaps& to) {
-  const Pixmap picture = read_pixmap(path);
+// At most kMostImage cells a side; cell(x0, x1, y0, y1) is called for the pixels of each.
+template <class Cell>
+static std::pair<uint16_t, uint16_t> each_cell(const Pixmap& p, Cell cell) {
   const uint32_t most = static_cast<uint32_t>(dapple::kMostImage);
-  const uint32_t wide = std::min(picture.width, most), high = std::min(picture.height, most);
-  to.styles.clear();
+  const uint32_t wide = std::min(p.width, most), high = std::min(p.height, most);
   for (uint32_t j = 0; j < high; ++j)
     for (uint32_t i = 0; i < wide; ++i)
-      for (uint32_t channel = 0; channel < 3; ++channel) {
-        uint64_t sum = 0, count = 0;
-        for (uint32_t y = j * picture.height / high; y < (j + 1) * picture.height / high; ++y)
-          for (uint32_t x = i * picture.width / wide; x < (i + 1) * picture.width / wide; ++x, ++count)
-            sum += picture.channels == 3 || channel == 0 ? picture.at(x, y, channel) : channel == 1 ? 128u : 255u;
-        to.styles.push_back(static_cast<uint8_t>((sum + count / 2) / count));
-      }
-  to.maps.style = {to.styles.data(), static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
+      cell(i * p.width / wide, (i + 1) * p.width / wide, j * p.height / high, (j + 1) * p.height / high);
+  return {static_cast<uint16_t>(wide), static_cast<uint16_t>(high)};
+}
+
+// The mean of value(x, y) over those pixels.
+template <class Value>
+static uint8_t mean_of(uint32_t x0, uint32_t x1, uint32_t y0, uint32_t y1, Value value) {
+  uint64_t sum = 0;
+  const uint64_t count = uint64_t{x1 - x0} * (y1 - y0);
+  for (uint32_t y = y0; y < y1; ++y)
+    for (uint32_t x = x0; x < x1; ++x) sum += value(x, y);
+  return static_cast<uint8_t>((sum + count / 2) / count);
+}
+
+void read_styles(const std::string& path, PictureMaps& to) {
+  const Pixmap picture = read_pixmap(path);
+  to.styles.clear();
+  const auto size = each_cell(picture, [&](uint32_t x0, uint32_t x1, uint32_t y0, uint32_t y1) {
+    for (uint32_t channel = 0; channel < 3; ++channel)
+      to.styles.push_back(mean_of(x0, x1, y0, y1, [&](uint32_t x, uint32_t y) {
+        return picture.channels == 3 || channel == 0 ? picture.at(x, y, channel) : channel == 1 ? 128u : 255u;
+      }));
+  });
+  to.maps.style = {to.styles.data(), size.first, size.second};
+}
+
+void read_grey(const std::string& path, PictureMaps& to) {
+  const Pixmap picture = read_pixmap(path);
+  to.greys.clear();
+  const auto size = each_cell(picture, [&](uint32_t x0, uint32_t x1, uint32_t y0, uint32_t y1) {
+    to.greys.push_back(mean_of(x0, x1, y0, y1, [&](uint32_t x, uint32_t y) { return static_cast<uint32_t>(picture.grey(x, y)); }));
+  });
+  to.maps.grey = {to.greys.data(), size.first, size.second};
 }
 
 }  // namespace cli

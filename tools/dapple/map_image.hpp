@@ -1,4 +1,4 @@
-// Directions and styles from pictures, for map=@FILE and style=@FILE.
+// Directions, styles and growth from pictures, for map=@FILE, style=@FILE and growth=@FILE.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr const char* kMapAs = "structure|values";
 // The bytes that a recipe's stages point to.
 struct PictureMaps {
   std::vector<int8_t> pairs;
-  std::vector<uint8_t> styles;
+  std::vector<uint8_t> styles, greys;
   dapple::PlaceMaps maps{};
 };
 
@@ -27,5 +27,6 @@ struct PictureMaps {
 // wavelengths.
 void read_map(const std::string& path, MapAs as, PictureMaps& to);
 void read_styles(const std::string& path, PictureMaps& to);
+void read_grey(const std::string& path, PictureMaps& to);
 
 }  // namespace cli

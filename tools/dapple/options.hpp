@@ -45,6 +45,7 @@ struct Options {
   uint8_t bands = 1;
   Kernels kernels = best_kernels();
   uint32_t frames = 0;            // of stream; 0: not given
+  uint32_t every = 0;             // steps from one frame of grow to the next; 0: one picture
   std::string verb, start;        // of rule: settle, score, complete; the file of the state to begin with
   std::optional<uint8_t> style;   // a Style
   std::optional<uint32_t> count, tries;

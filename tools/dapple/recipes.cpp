@@ -13,7 +13,7 @@ using dapple::Trouble;
 using dapple::recipe::Family;
 
 constexpr size_t kLongestRecipe = 4000;
-constexpr std::string_view kMapFile = "map=@", kStyleFile = "style=@";
+constexpr std::string_view kMapFile = "map=@", kStyleFile = "style=@", kGrowthFile = "growth=@";
 
 // Changes that turn one name into the other: letters put in, left out or replaced.
 static size_t distance_of(const std::string& a, const std::string& b) {
@@ -164,7 +164,7 @@ static Subject subject_named(const std::string& name) {
   return subject;
 }
 
-// map=@FILE and style=@FILE: reads the picture, and puts what the recipe calls it in the word's place.
+// map=@FILE, style=@FILE and growth=@FILE: reads the picture, and puts what the recipe calls it in the word's place.
 static void read_picture(std::string& word, MapAs as, PictureMaps& maps) {
   if (word.compare(0, kMapFile.size(), kMapFile) == 0) {
     read_map(word.substr(kMapFile.size()), as, maps);
@@ -172,6 +172,9 @@ static void read_picture(std::string& word, MapAs as, PictureMaps& maps) {
   } else if (word.compare(0, kStyleFile.size(), kStyleFile) == 0) {
     read_styles(word.substr(kStyleFile.size()), maps);
     word = "solver=styled";
+  } else if (word.compare(0, kGrowthFile.size(), kGrowthFile) == 0) {
+    read_grey(word.substr(kGrowthFile.size()), maps);
+    word = "solver=pictured";
   }
 }
 
@@ -181,7 +184,8 @@ Subject subject_of(const Options& options) {
   const auto maps = std::make_shared<PictureMaps>();
   for (std::string& word : changes) read_picture(word, options.map_as, *maps);
   if (!changes.empty()) change_all(subject.recipe, changes);
-  if (maps->maps.direction.pairs != nullptr || maps->maps.style.cells != nullptr) {
+  const dapple::PlaceMaps& read = maps->maps;
+  if (read.direction.pairs != nullptr || read.style.cells != nullptr || read.grey.cells != nullptr) {
     dapple::set_maps(subject.recipe, maps->maps);
     subject.maps = maps;
   }
@@ -251,7 +255,8 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
     case dapple::bad_surface:
       refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:
-      refuse("map=image and solver=styled (of at most three pairs) take pictures: give map=@FILE, style=@FILE, PGM, PPM or PNG files");
+      refuse("map=image, solver=styled (of at most three pairs) and solver=pictured take pictures: give map=@FILE, style=@FILE "
+             "or growth=@FILE, PGM, PPM or PNG files");
     case dapple::unstable:
       refuse(unsteady(dapple::recipe::name_at(family_of(subject.recipe), need.bound.slot),
                       subject.recipe.stage[need.stage].number[need.bound.slot], need.bound.low, need.bound.high));

@@ -66,7 +66,8 @@ void Tile::grow(uint32_t budget, Progress& progress) {
 
 void Tile::grow_steps(uint32_t steps, Progress& progress) {
   const dapple::Stage& first = recipe_.stage[0];
-  texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (rows_ >> first.level));
+  if (texture_.rows_done() == 0)
+    texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (rows_ >> first.level));
   while (texture_.steps_done() < steps && texture_.step(1) == dapple::more)
     progress.show(name_, texture_.steps_done(), steps);
 }
