@@ -44,16 +44,10 @@ TEST_CASE("golden: one call") {
   for (const Golden& g : read_goldens()) check(g, UINT32_MAX, 1);
 }
 
-TEST_CASE("golden: one row at a time, seven rows at a time") {
-  for (const Golden& g : read_goldens()) {
-    check(g, 1, 1);
-    check(g, 7, 1);
-  }
+TEST_CASE("golden: one row at a time") {
+  for (const Golden& g : read_goldens()) check(g, 1, 1);
 }
 
-TEST_CASE("golden: two and three bands") {
-  for (const Golden& g : read_goldens()) {
-    check(g, UINT32_MAX, 2);
-    check(g, 7, 3);
-  }
+TEST_CASE("golden: seven rows at a time, three bands") {
+  for (const Golden& g : read_goldens()) check(g, 7, 3);
 }
