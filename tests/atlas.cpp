@@ -18,6 +18,7 @@ using dapple::repeating_side;
 using dapple::Side;
 using dapple::Surface;
 using tests::Grown;
+using tests::measured;
 
 namespace {
 
@@ -96,13 +97,6 @@ const char* const kRecipes[] = {"mapped map=none scale=2.2 stretch=2 angle=70 st
                                 "gray-scott start=noise steps=20",
                                 "turing decay=12.25 steps=20",
                                 "fitzhugh-nagumo steps=20"};
-
-Surface measured(Surface surface) {
-  while (measure(surface, 100) == dapple::more) {
-  }
-  REQUIRE(is_measured(surface));
-  return surface;
-}
 
 }  // namespace
 

@@ -12,7 +12,7 @@ using tests::Golden;
 using tests::read_goldens;
 
 void check(const Golden& g, uint32_t budget, uint8_t bands) {
-  const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
+  const dapple::Recipe recipe = tests::preset(g.name);
   dapple::Options options;
   options.bands = bands;
   tests::Grown tile(recipe, dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height)), g.seed, budget, options);

@@ -10,15 +10,9 @@
 using dapple::Metric;
 using dapple::Surface;
 using tests::Grown;
+using tests::measured;
 
 namespace {
-
-Surface measured(Surface surface, uint32_t rows = 5) {
-  dapple::Status status = dapple::more;
-  while (status == dapple::more) status = measure(surface, rows);
-  CHECK(status == dapple::done);
-  return surface;
-}
 
 std::vector<int16_t> grown_on(const char* text, const Surface& surface, dapple::Domain domain, uint32_t seed,
                               uint32_t budget = UINT32_MAX, uint8_t bands = 1) {
