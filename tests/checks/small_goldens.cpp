@@ -111,10 +111,10 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
   for (const Way& way : kWays) {
     Tile tile(recipe, domain, way);
     if (!tile.grown) return false;
-    const bool first = &way == kWays;
-    if (!first && (field != tile.field_hash() || pixels != tile.pixels_hash())) return false;
-    field = tile.field_hash();
-    pixels = tile.pixels_hash();
+    const uint64_t field_now = tile.field_hash(), pixels_now = tile.pixels_hash();
+    if (&way != kWays && (field != field_now || pixels != pixels_now)) return false;
+    field = field_now;
+    pixels = pixels_now;
   }
   std::printf("%s %ux%u %u %u %08lx%08lx %08lx%08lx\n", name.c_str(), unsigned(domain.width), unsigned(domain.height),
               unsigned(recipe.stage[recipe.stages - 1].steps), unsigned(kSeed), static_cast<unsigned long>(field >> 32),
