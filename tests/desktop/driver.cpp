@@ -44,7 +44,9 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
                                  "threshold pairs=3 scale=3 stretch=3 angles=0,60,120 steps=3",
                                  "threshold scale=4 diffusion=isotropic steps=4",
                                  "threshold scale=3 stretch=5 angle=90 steps=3",
-                                 "threshold scale=3 stretch=5 angle=0 steps=3"};
+                                 "threshold scale=3 stretch=5 angle=0 steps=3",
+                                 "mapped map=swirl scale=1.8 stretch=2 steps=2",
+                                 "mapped pairs=2 map=two-angle scale=3 ratio=1.7 stretch=4 steps=2"};
   for (const char* text : recipes) {
     const dapple::Recipe recipe = tests::recipe_of(text);
     for (const tests::Size size :
