@@ -61,6 +61,13 @@ struct Grown {
   }
 };
 
+// Its hash; 0: refused.
+inline uint64_t field_hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, uint32_t seed,
+                              const dapple::Options& options = dapple::Options{}, uint32_t budget = UINT32_MAX) {
+  Grown tile(recipe, domain, seed, budget, options);
+  return tile.status == dapple::ok ? tile.field_hash() : 0;
+}
+
 inline dapple::Recipe recipe_of(const char* text) {
   dapple::Recipe recipe{};
   dapple::Trouble trouble{};
