@@ -4,6 +4,7 @@
 
 #include "../base/hash.hpp"
 #include "../start/start.hpp"
+#include "field.hpp"
 
 namespace dapple::evolve {
 
@@ -36,6 +37,7 @@ void prepare_kinetics(const Context& context) {
   table[wide_cells] = wide(*context.model);
   table[has_rates] = table[varies] > 0;
   table[level_of] = context.level;
+  table[moved] = 0;
 }
 
 void prepare_pictured(const Context& context) {
@@ -225,21 +227,65 @@ static void field_row_of(const void* cells, uint16_t x, uint16_t n, int16_t* out
 }
 
 // The shown morphogen.
-void kinetics_field(const grid::Rows& rows) {
+static void shown_row(const grid::Rows& rows) {
   const void* const shown = rows.in[rows.table[shown_plane]];
   if (rows.table[wide_cells] != 0) field_row_of<int32_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
   else field_row_of<int16_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
 }
 
-// Held cells show as their negative where they are to look apart.
+static int16_t moved_by(int16_t value, int32_t more) {
+  return static_cast<int16_t>(base::clamp(value + more, -32767, 32767));
+}
+
+void kinetics_field(const grid::Rows& rows) {
+  shown_row(rows);
+  int16_t* const out = grid::out16(rows, 0);
+  const int32_t more = rows.table[moved];
+  for (uint16_t x = 0; x < rows.n && more != 0; ++x) out[x] = moved_by(out[x], more);
+}
+
+// Held cells show as their negative, and are not moved, where they are to look apart.
 void cascade_field(const grid::Rows& rows) {
-  kinetics_field(rows);
-  if (rows.run == 0 || rows.table[held_apart] == 0) return;
+  if (rows.run == 0 || rows.table[held_apart] == 0) return kinetics_field(rows);
+  shown_row(rows);
   const uint8_t cell = rows.table[wide_cells] != 0 ? 4 : 2;
   const uint8_t* const mask = static_cast<const uint8_t*>(rows.in[held_at(rows)]) + static_cast<size_t>(rows.x) * cell;
   int16_t* const out = grid::out16(rows, 0);
-  for (uint16_t x = 0; x < rows.n; ++x)
-    if (mask[static_cast<size_t>(x) * cell] != 0) out[x] = static_cast<int16_t>(-out[x]);
+  for (uint16_t x = 0; x < rows.n; ++x) {
+    const bool held = mask[static_cast<size_t>(x) * cell] != 0;
+    out[x] = held ? static_cast<int16_t>(-out[x]) : moved_by(out[x], rows.table[moved]);
+  }
+}
+
+// Of the tile; a patch is grown with an edge of one cell more.
+static uint8_t edge_of(const Run& run) { return run.domain.plane ? 1 : 0; }
+static uint32_t cells_above(const Run& run, int32_t level, int16_t* row, uint8_t* work) {
+  const uint8_t edge = edge_of(run);
+  uint32_t count = 0;
+  for (uint16_t y = edge; y < run.domain.height - edge; ++y) {
+    field_row(run, y, row, work);
+    for (uint16_t x = edge; x < run.domain.width - edge; ++x) count += row[x] > level ? 1 : 0;
+  }
+  return count;
+}
+
+// The least level with at most the share of cells above it, an exact quantile, in seventeen looks at all cells and no
+// memory; the field is then moved from there to `above`.
+void look_at_share(const Run& run, int16_t* row, uint8_t* work) {
+  run.table[moved] = 0;
+  const int32_t share = run.stage.number[kinetics::coverage];
+  const bool whole = run.phase == Phase::sweeping || run.phase == Phase::sealing || run.phase == Phase::done;
+  if (share == 0 || !whole) return;
+  const uint16_t width = static_cast<uint16_t>(run.domain.width - 2 * edge_of(run));
+  const uint64_t cells = static_cast<uint64_t>(width) * static_cast<uint16_t>(run.domain.height - 2 * edge_of(run));
+  const uint32_t wanted = static_cast<uint32_t>((cells * static_cast<uint32_t>(share) + base::kMicro / 2) / base::kMicro);
+  int32_t low = -32768, high = 32767;
+  while (low < high) {
+    const int32_t middle = (low + high + 65536) / 2 - 32768;
+    if (cells_above(run, middle, row, work) > wanted) low = middle + 1;
+    else high = middle;
+  }
+  run.table[moved] = run.model.cell_level(run.stage.number) - low;
 }
 
 }  // namespace dapple::evolve

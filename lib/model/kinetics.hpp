@@ -8,7 +8,7 @@
 namespace dapple::kinetics {
 
 // Slots; a model's own numbers follow.
-enum Slot : uint8_t { scale, dt, show, above, reset, held, stretch, angle, vary, own };
+enum Slot : uint8_t { scale, dt, show, above, reset, held, stretch, angle, vary, coverage, own };
 enum Reset : uint8_t { none, on, off };
 enum Held : uint8_t { same, apart };
 
@@ -52,6 +52,9 @@ inline constexpr Number reset_number = {Number::word,
                                         "the cells that `then freeze` and `then reset` put back to the uniform state"};
 inline constexpr Number held_number = {
     Number::word, "held", 0, 1, 0, "same|apart", "apart: held cells show as their negative, for colours of their own"};
+inline constexpr Number coverage_number =
+    decimal("coverage", 0, 900000, 0,
+            "share of a tile's cells that are on: the field is moved until `above` has them above it; 0: as it is");
 inline constexpr Number stretch_number =
     decimal("stretch", kStretch[0], kStretch[1], 1000000,
             "length over width of a spot: diffusion is its square stronger along the angle");
@@ -93,6 +96,13 @@ constexpr int32_t largest_dt(int64_t diffusion, int64_t rate) {
 constexpr int64_t fourth_root(int64_t product, int64_t unit) {
   const int64_t share = product * 1000 / unit * 1000000;  // 1/10^9
   return base::square_root64(static_cast<uint64_t>(base::square_root64(static_cast<uint64_t>(share) * 1000)) * 1000000);
+}
+
+// A length in 1/kMicro of patterns stretched along a direction: `round` where they are not. Spots take room in proportion
+// to 1 / stretch, so that the mean of the lengths along and across goes with its root.
+constexpr int32_t stretched(int64_t round, int32_t stretch) {
+  const int64_t root = base::square_root64(static_cast<uint64_t>(stretch) * base::kMicro);
+  return static_cast<int32_t>(base::divide_round(round * base::kMicro, root));
 }
 
 // A scale below `least` cells of the grid is too coarse for the pattern; otherwise dt has a largest value.
