@@ -26,7 +26,8 @@ enum KineticTable : uint8_t {
   wide_cells,
   has_rates,  // a plane of deviations is kept
   level_of,
-  moved,  // what the field has more than the shown morphogen, so that the share of cells asked for is on
+  cut_bits,  // of compact cells; 0: the cells are computed as they are kept
+  moved,     // what the field has more than the shown morphogen, so that the share of cells asked for is on
   table_count
 };
 
@@ -37,11 +38,12 @@ constexpr uint8_t kept_by(const int32_t* number, bool holds) {
 
 constexpr Reach reach_of_kinetics(const Model& model, const int32_t* number, bool holds) {
   const uint8_t planes = model.planes(number), kept = kept_by(number, holds);
+  const uint8_t computed = kinetics::cut_of(model) > 0 ? planes : uint8_t{0};  // rows in the format of steps
   Reach reach{static_cast<uint8_t>(planes + kept),
               1,
               1,
               model.work_rows,
-              static_cast<uint8_t>(planes + 1),
+              static_cast<uint8_t>(planes + 1 + computed),
               0,
               1,
               1,

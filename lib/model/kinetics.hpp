@@ -155,6 +155,34 @@ constexpr Model model_of(grid::Cell cell, uint8_t rows, bool (*in_range)(const i
           false,  bound};
 }
 
+// --- Compact cells: a wide model kept in int16, `cut` bits less of the Q20, which its steps are computed in. What is cut
+// off is rounded up as often as it is large, by a hash of place and step: changes below the last bit are kept on the
+// average, where rounding to nearest would stall (the solver does that, evolve/kinetics.cpp).
+constexpr uint8_t kCompactVary = 9;  // bits of per-cell deviations
+constexpr uint8_t cut_of(const Model& model) {
+  uint8_t cut = 0;
+  for (int32_t unit = model.unit; model.cell == grid::Cell::int16 && unit < kNarrowUnit; unit *= 2) ++cut;
+  return static_cast<uint8_t>(cut == 0 ? 0 : cut + kWide - kNarrow);
+}
+template <uint8_t bits>
+constexpr int16_t compact_level(const int32_t* number) {
+  return static_cast<int16_t>(base::min(fixed(number[above], bits), INT32_C(32767)));
+}
+template <uint8_t bits, grid::Levels (*wide)(const int32_t*, uint8_t)>
+constexpr grid::Levels compact_levels(const int32_t* number, uint8_t plane) {
+  const grid::Levels l = wide(number, plane);
+  const auto cut = [](int32_t level) { return base::min(level >> (kWide - bits), INT32_C(32767)); };
+  return {cut(l.background), cut(l.disc), cut(l.low), cut(l.high)};
+}
+template <uint8_t bits, grid::Levels (*wide)(const int32_t*, uint8_t)>
+constexpr Model compact_of(Model model) {
+  model.cell = grid::Cell::int16;
+  model.unit = static_cast<int16_t>(1 << bits);
+  model.levels = compact_levels<bits, wide>;
+  model.cell_level = compact_level<bits>;
+  return model;
+}
+
 // dt of a step on this grid, 1/kMicro.
 constexpr int32_t step_of(const int32_t* number, int32_t most) { return number[dt] < most ? number[dt] : most; }
 

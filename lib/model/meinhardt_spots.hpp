@@ -76,4 +76,6 @@ namespace dapple {
 inline constexpr Model meinhardt_spots_model DAPPLE_ROM =
     kinetics::model_of(grid::Cell::int32, 0, meinhardt_spots::in_range, kinetics::two_planes, meinhardt_spots::levels,
                        meinhardt_spots::wavelength, meinhardt_spots::values, meinhardt_spots::react_row, meinhardt_spots::bound);
+inline constexpr Model compact_meinhardt_spots_model DAPPLE_ROM =
+    kinetics::compact_of<12, meinhardt_spots::levels>(meinhardt_spots_model);
 }  // namespace dapple

@@ -98,4 +98,5 @@ namespace dapple {
 inline constexpr Model turing_model DAPPLE_ROM =
     kinetics::model_of(grid::Cell::int32, 0, turing::in_range, kinetics::two_planes, turing::levels,
                        turing::wavelength, turing::values, turing::react_row, turing::bound);
+inline constexpr Model compact_turing_model DAPPLE_ROM = kinetics::compact_of<11, turing::levels>(turing_model);  // below 16
 }  // namespace dapple

@@ -87,6 +87,7 @@ struct Family {
   const evolve::BlockWork* blocks = nullptr;
   const evolve::Solver* freezing = nullptr;                 // what runs a stage that begins with `then freeze` or `then reset`
   const Dials* dials = nullptr;                             // of families that take aspect and spot_size
+  const Model* compact = nullptr;                           // the same in half of the memory, cells=compact
 };
 
 // A family of explicit kinetics.
@@ -95,8 +96,9 @@ constexpr Family kinetics_family(const char* name, const Model* model, const Num
   return {name, model, numbers, count, "plain|cascade", {&evolve::kinetics_solver, &evolve::cascade_solver}, steps, start, low, high, 0,
           any_number, any_number, nullptr, nullptr, &evolve::cascade_solver};
 }
-constexpr Family with_dials(Family family, const Dials* dials) {
+constexpr Family of_spots(Family family, const Dials* dials, const Model* compact) {
   family.dials = dials;
+  family.compact = compact;
   return family;
 }
 inline constexpr Dials turing_dials = {60}, meinhardt_dials = {700};
@@ -120,8 +122,8 @@ inline constexpr Family families[] = {
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},
-    with_dials(with_picture(kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000)), &turing_dials),
-    with_dials(kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000), &meinhardt_dials),
+    of_spots(with_picture(kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000)), &turing_dials, &compact_turing_model),
+    of_spots(kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000), &meinhardt_dials, &compact_meinhardt_spots_model),
     kinetics_family("meinhardt-stripes", &meinhardt_stripes_model, meinhardt_stripes::numbers, count_of(meinhardt_stripes::numbers), 2000, kNoise, 0, 1900000),
     kinetics_family("fitzhugh-nagumo", &fitzhugh_nagumo_model, fitzhugh_nagumo::numbers, count_of(fitzhugh_nagumo::numbers), 2000, kNoise, -1000000, 1000000),
     kinetics_family("schnakenberg", &schnakenberg_model, schnakenberg::numbers, count_of(schnakenberg::numbers), 8000, kNoise, 200000, 2500000),

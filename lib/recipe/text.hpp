@@ -3,7 +3,7 @@
 //   recipe = model { key=value } { "then" ("carry" | "refine" | "freeze" | "reset") { key=value } }
 //
 // Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
-// (cells, sets scale); aspect and spot_size of spots (dials.hpp); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
+// (cells, sets scale); cells=wide|compact (of all stages: four bytes a cell of a plane or two); aspect and spot_size of spots (dials.hpp); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
 // sides=repeat|closed|fixed, of all, across and down, or left, right, top and bottom, and fixed=A,B; ramp, range=LOW,HIGH, light,
 // gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six
 // digits after the point.
@@ -62,6 +62,8 @@ DAPPLE_APART constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
 
+constexpr const char* kCells = "wide|compact";
+
 constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
   Stage& stage = r.recipe->stage[r.stage];
   uint32_t whole = 0;
@@ -87,6 +89,11 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     r.multigrid = equal(value, kMultigrid);
     if (r.multigrid) index = 0;
     for (uint8_t s = r.stage; s < r.recipe->stages; ++s) r.recipe->stage[s].solver = r.family->solvers[index];
+    return true;
+  }
+  if (equal(key, "cells") && r.family->compact != nullptr) {
+    if (!word_in(r, value, kCells, index)) return false;
+    for (uint8_t s = 0; s < r.recipe->stages; ++s) r.recipe->stage[s].model = index == 0 ? r.family->model : r.family->compact;
     return true;
   }
   if (equal(key, "levels")) return integer_in(r, value, 1, kMaxLevel + 1, r.levels);
@@ -295,7 +302,7 @@ constexpr int8_t family_named(Word name) {
 }
 constexpr const Family* family_of(const Recipe& recipe) {
   for (const Family& f : families)
-    if (f.model == recipe.stage[0].model) return &f;
+    if (f.model == recipe.stage[0].model || (f.compact != nullptr && f.compact == recipe.stage[0].model)) return &f;
   return nullptr;
 }
 

@@ -79,7 +79,23 @@ test_dials() {
   refused 1 "whole tile" -- grow turing steps=6 coverage=0.2 --at 0,0
 }
 
-for part in picture frames dials; do
+# Half of the memory: what info says, and what it is not for.
+test_compact() {
+  check "compact: kind of cell" grep -qF -e "int16" <<< "$(run info turing cells=compact)"
+  check "compact: bytes" grep -qF -e '"planes_bytes": 16384' <<< "$(run info turing cells=compact --size 64 --json)"
+  check "compact: the recipe" grep -qF -e "meinhardt-spots cells=compact scale=" <<< "$(run info meinhardt-spots cells=compact)"
+  check "wide: bytes" grep -qF -e '"planes_bytes": 32768' <<< "$(run info turing-spots cells=wide --size 64 --json)"
+  local small="--size 48 steps=40 cells=compact"
+  # shellcheck disable=SC2086
+  {
+    equal "compact: threads" "$(hash_of turing $small --threads 3)" "$(hash_of turing $small --budget 7)"
+    differ "compact" "$(hash_of turing $small)" "$(hash_of turing --size 48 steps=40)"
+  }
+  refused 2 "wide|compact" -- grow turing cells=16
+  refused 2 "'cells' is not a key of schnakenberg" -- grow schnakenberg cells=compact
+}
+
+for part in picture frames dials compact; do
   test_$part
 done
 echo "kinetics: $passed passed, $failed failed"

@@ -282,6 +282,7 @@ std::vector<std::string> keys_of(const Family& family) {
     if (family.numbers[i].kind == dapple::Number::angles) keys.push_back("angles");
   }
   if (family.dials != nullptr) keys.push_back("spot_size");
+  if (family.compact != nullptr) keys.push_back("cells");
   return keys;
 }
 
