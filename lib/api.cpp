@@ -97,10 +97,12 @@ Status Texture::stamp(int32_t x, int32_t y, uint16_t radius, bool on) {
 }
 
 Status Texture::change(uint8_t slot, int32_t value) {
+  rows_seen_ = UINT64_MAX;
   return between_steps() ? evolve::change(run_, slot, value) : not_now;
 }
 
 Status Texture::go_on(uint32_t steps) {
+  rows_seen_ = UINT64_MAX;
   uint64_t rows = 0;
   const Status status = between_steps() ? evolve::go_on(run_, steps, rows) : not_now;
   rows_in_all_ += rows;
@@ -112,7 +114,7 @@ void Texture::look_again() {
   if (rows_seen_ == run_.rows) return;
   rows_seen_ = run_.rows;
   for (int32_t& held : held_rows_) held = kNone;
-  if (decided()) evolve::forget_rows(run_, work_);
+  if (decided()) evolve::forget_rows(run_, reinterpret_cast<int16_t*>(field_), work_);
 }
 
 void Texture::row(uint16_t y, int16_t* out) {

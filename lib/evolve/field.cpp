@@ -38,7 +38,8 @@ static Work work_of(const Run& run, uint8_t* work) {
 // On a torus that is not enlarged rows of the field are made where they are wanted.
 static bool made_in_place(const Run& run) { return run.stage.level == 0 && !run.domain.plane; }
 
-void forget_rows(const Run& run, uint8_t* work) {
+void forget_rows(const Run& run, int16_t* row, uint8_t* work) {
+  if (run.solver.look != nullptr) run.solver.look(run, row, work);
   if (run.field_radius == 0 || made_in_place(run)) return;
   const Work w = work_of(run, work);
   for (uint8_t i = 0; i < kCoarseRows; ++i) w.held[i] = kNoRow;

@@ -25,8 +25,9 @@ constexpr size_t field_bytes(const Model& model, const Reach& reach, const Groun
          (level > 1 ? 2 : 0) * grid::row_bytes(grid::Cell::int16, static_cast<uint16_t>(width / 2 + 4));
 }
 
-// Forgets the rows kept in `work`: to be called before the first field_row and whenever the planes have moved.
-void forget_rows(const Run& run, uint8_t* work);
+// Forgets the rows kept in `work`: to be called before the first field_row and whenever the planes have moved. row: room
+// for one row of the domain.
+void forget_rows(const Run& run, int16_t* row, uint8_t* work);
 
 // The field of row y of the domain, as it stands. out: domain.width values.
 void field_row(const Run& run, uint16_t y, int16_t* out, uint8_t* work);

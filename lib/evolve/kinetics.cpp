@@ -4,15 +4,24 @@
 
 #include "../base/hash.hpp"
 #include "../start/start.hpp"
+#include "field.hpp"
 
 namespace dapple::evolve {
 
-constexpr uint32_t kVaryStream = 160;  // of the hash
+constexpr uint32_t kVaryStream = 160, kDitherStream = 161;  // of the hash
+constexpr uint8_t kStepOf = kMaxValues - 1;                  // of a sweep's p: which step this is
+constexpr int32_t kVaryCut = 1 << (kinetics::kVaryBits - kinetics::kCompactVary);
 
 // What the first sweep of a stage does, p[2].
 enum Mode : uint8_t { freezes = 1, resets_on = 2, resets_off = 4, leaves = 8, holds = 16 };
 
 static bool wide(const Model& model) { return model.cell == grid::Cell::int32; }
+
+// Bits after the point of a cell.
+static uint8_t bits_of(const Model& model) {
+  const uint8_t cut = kinetics::cut_of(model);
+  return cut > 0 ? static_cast<uint8_t>(kinetics::kWide - cut) : wide(model) ? kinetics::kWide : kinetics::kNarrow;
+}
 
 void prepare_kinetics(const Context& context) {
   const int32_t* number = context.number;
@@ -36,6 +45,8 @@ void prepare_kinetics(const Context& context) {
   table[wide_cells] = wide(*context.model);
   table[has_rates] = table[varies] > 0;
   table[level_of] = context.level;
+  table[cut_bits] = kinetics::cut_of(*context.model);
+  table[moved] = 0;
 }
 
 void prepare_pictured(const Context& context) {
@@ -47,25 +58,75 @@ void prepare_pictured(const Context& context) {
 static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
 static uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]); }
 
+// Compact cells in the format of steps, and sums of them: |sum| < 2^18, cut <= 9.
+static void widen(const int16_t* DAPPLE_RESTRICT from, int32_t* DAPPLE_RESTRICT to, uint16_t n, int32_t unit) {
+  for (uint16_t x = 0; x < n; ++x) to[x] = from[x] * unit;
+}
+static void scale(int32_t* sums, uint16_t n, int32_t unit) {
+  for (uint16_t x = 0; x < n; ++x) sums[x] *= unit;
+}
+
+// Two morphogens, 0..20 in Q20, back to int16: rounded up where what is cut off is more than a random number, half a hash
+// each.
+static void dither(const int32_t* DAPPLE_RESTRICT a, const int32_t* DAPPLE_RESTRICT b, int16_t* DAPPLE_RESTRICT to_a,
+                   int16_t* DAPPLE_RESTRICT to_b, uint16_t n, base::RowKey key, int32_t at, uint8_t cut) {
+  const int32_t mask = (INT32_C(1) << cut) - 1;
+  for (int32_t x = 0; x < n; ++x) {
+    const uint32_t h = base::hash(key, at + x);
+    to_a[x] = static_cast<int16_t>(base::min((a[x] + static_cast<int32_t>(h & static_cast<uint32_t>(mask))) >> cut, INT32_C(32767)));
+    to_b[x] = static_cast<int16_t>(base::min((b[x] + (static_cast<int32_t>(h >> 16) & mask)) >> cut, INT32_C(32767)));
+  }
+}
+
+// The same for a row, where it is in the world: windows of the plane agree. A torus that is rolled has an edge in it.
+static void narrow_row(const grid::Rows& rows, const int32_t* a, const int32_t* b) {
+  const int32_t* t = rows.table;
+  const uint16_t width = static_cast<uint16_t>(t[ring_x]), height = static_cast<uint16_t>(t[ring_y]);
+  const bool plane = t[on_plane] != 0;
+  const uint32_t seed = static_cast<uint32_t>(t[seed_of]) ^ base::mix(static_cast<uint32_t>(rows.p[kStepOf]) + 1);
+  const base::RowKey key = base::row_key(seed, kDitherStream, start::world(t[origin_y] + rows.y, height, plane));
+  int32_t at = start::world(t[origin_x] + rows.x, width, plane);
+  for (uint16_t x = 0, count; x < rows.n; x = static_cast<uint16_t>(x + count), at = 0) {
+    const int32_t left = width - at;
+    count = static_cast<uint16_t>(rows.n - x);
+    if (!plane && left < count) count = static_cast<uint16_t>(left);
+    dither(a + x, b + x, grid::out16(rows, 0) + x, grid::out16(rows, 1) + x, count, key, at, static_cast<uint8_t>(t[cut_bits]));
+  }
+}
+
+// The deviations of a row in the format of steps: as they are kept, widened, or zeros.
+static const void* deviations(const grid::Rows& rows, int32_t* row) {
+  const uint8_t planes = kept_at(rows);
+  const bool compact = rows.table[cut_bits] != 0;
+  if (rows.table[has_rates] != 0 && !compact) return rows.out[planes];
+  if (rows.table[has_rates] != 0) widen(grid::out16(rows, planes), row, rows.n, kVaryCut);
+  else
+    for (uint16_t x = 0; x < rows.n; ++x) row[x] = 0;
+  return row;
+}
+
 // in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
-// the sums of every morphogen, a row of zeros where no rate varies, then the reaction's own rows.
+// the sums of every morphogen, a row of deviations, compact cells in the format of steps, then the reaction's own rows.
 static void step_row(const grid::Rows& rows) {
   const size_t row_bytes = grid::row_bytes(grid::Cell::int32, rows.n);
   const uint8_t planes = kept_at(rows);
+  const int32_t unit = INT32_C(1) << rows.table[cut_bits];
   grid::Rows stencil = rows, react = rows;
   for (uint8_t plane = 0; plane < planes; ++plane) {
     for (uint8_t k = 0; k < 3; ++k) stencil.in[k] = rows.in[3 * plane + k];
     stencil.out[0] = rows.scratch + plane * row_bytes;
     rows.part[0](stencil);
     react.in[plane] = stencil.out[0];
+    if (unit > 1) scale(grid::out32(stencil, 0), rows.n, unit);
   }
-  int32_t* const zeros = reinterpret_cast<int32_t*>(rows.scratch + planes * row_bytes);
-  react.in[planes] = zeros;
-  if (rows.table[has_rates] != 0) react.in[planes] = rows.out[planes];
-  else
-    for (uint16_t x = 0; x < rows.n; ++x) zeros[x] = 0;
+  react.in[planes] = deviations(rows, reinterpret_cast<int32_t*>(rows.scratch + planes * row_bytes));
   react.scratch = rows.scratch + (planes + 1u) * row_bytes;
+  for (uint8_t plane = 0; plane < planes && unit > 1; ++plane, react.scratch += row_bytes) {
+    react.out[plane] = react.scratch;
+    widen(grid::out16(rows, plane), grid::out32(react, plane), rows.n, unit);
+  }
   rows.part[1](react);
+  if (unit > 1) narrow_row(rows, grid::out32(react, 0), grid::out32(react, 1));
 }
 
 // mask: all ones where the cell is held.
@@ -100,7 +161,8 @@ static void vary_cells(const grid::Rows& rows, void* row) {
   int32_t at = start::world(t[origin_x] + rows.x, width, plane);
   for (uint16_t x = 0; x < rows.n; ++x) {
     const uint32_t share = base::below(base::hash(key, at), static_cast<uint32_t>(t[vary_count]));
-    set_cell(rows, row, x, static_cast<int32_t>(share) - t[varies]);
+    const int32_t off = static_cast<int32_t>(share) - t[varies];
+    set_cell(rows, row, x, t[cut_bits] != 0 ? off / kVaryCut : off);
     if (++at == width && !plane) at = 0;
   }
 }
@@ -128,7 +190,8 @@ static void picture_row(const grid::Rows& rows) {
   const int32_t* t = rows.table;
   const bool plane = t[on_plane] != 0;
   const uint16_t period = static_cast<uint16_t>(stencil::kPlanePeriod >> t[level_of]);
-  int32_t* const more = grid::out32(rows, kept_at(rows));
+  void* const more = rows.out[kept_at(rows)];
+  const int32_t unit = t[cut_bits] != 0 ? kVaryCut : 1;
   int32_t* const grey = reinterpret_cast<int32_t*>(rows.scratch);
   const void* maps = nullptr;
   base::copy_bytes(&maps, t + table_count, sizeof maps);
@@ -136,7 +199,8 @@ static void picture_row(const grid::Rows& rows) {
   stencil::grey_row(static_cast<const PlaceMaps*>(maps)->grey, t[origin_x] + rows.x, t[origin_y] + rows.y,
                     plane ? period : static_cast<uint16_t>(t[ring_x]),
                     plane ? period : static_cast<uint16_t>(t[ring_y]), rows.n, grey);
-  for (uint16_t x = 0; x < rows.n; ++x) more[x] += rows.p[0] + rows.p[1] * (grey[x] >> 2) / 16320;
+  for (uint16_t x = 0; x < rows.n; ++x) 
+    set_cell(rows, more, x, cell_at(rows, more, x) + (rows.p[0] + rows.p[1] * (grey[x] >> 2) / 16320) / unit);
 }
 
 static int32_t mode_of(const Context& context, bool has_mask) {
@@ -159,7 +223,7 @@ static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
   all_planes(context, has_mask, sweep);
   sweep.radius = 0;
   sweep.row = enter_row;
-  sweep.p[0] = kinetics::fixed(context.number[kinetics::above], wide(model) ? kinetics::kWide : kinetics::kNarrow);
+  sweep.p[0] = kinetics::fixed(context.number[kinetics::above], bits_of(model));
   sweep.p[1] = context.number[kinetics::show];
   sweep.p[2] = mode_of(context, has_mask);
   for (uint8_t i = 0; i < model.planes(context.number); ++i)
@@ -177,6 +241,7 @@ static void step_sweep(const Context& context, bool has_mask, grid::RowKernel ro
   sweep.part[0] = grid::choose(context.kernels, isotropic ? round : oval);
   sweep.part[1] = grid::choose(context.kernels, context.model->react);
   context.model->values(context.number, context.clock, sweep.p);
+  sweep.p[kStepOf] = static_cast<int32_t>(context.clock.step);
 }
 
 bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {
@@ -225,21 +290,65 @@ static void field_row_of(const void* cells, uint16_t x, uint16_t n, int16_t* out
 }
 
 // The shown morphogen.
-void kinetics_field(const grid::Rows& rows) {
+static void shown_row(const grid::Rows& rows) {
   const void* const shown = rows.in[rows.table[shown_plane]];
   if (rows.table[wide_cells] != 0) field_row_of<int32_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
   else field_row_of<int16_t>(shown, rows.x, rows.n, grid::out16(rows, 0));
 }
 
-// Held cells show as their negative where they are to look apart.
+static int16_t moved_by(int16_t value, int32_t more) {
+  return static_cast<int16_t>(base::clamp(value + more, -32767, 32767));
+}
+
+void kinetics_field(const grid::Rows& rows) {
+  shown_row(rows);
+  int16_t* const out = grid::out16(rows, 0);
+  const int32_t more = rows.table[moved];
+  for (uint16_t x = 0; x < rows.n && more != 0; ++x) out[x] = moved_by(out[x], more);
+}
+
+// Held cells show as their negative, and are not moved, where they are to look apart.
 void cascade_field(const grid::Rows& rows) {
-  kinetics_field(rows);
-  if (rows.run == 0 || rows.table[held_apart] == 0) return;
+  if (rows.run == 0 || rows.table[held_apart] == 0) return kinetics_field(rows);
+  shown_row(rows);
   const uint8_t cell = rows.table[wide_cells] != 0 ? 4 : 2;
   const uint8_t* const mask = static_cast<const uint8_t*>(rows.in[held_at(rows)]) + static_cast<size_t>(rows.x) * cell;
   int16_t* const out = grid::out16(rows, 0);
-  for (uint16_t x = 0; x < rows.n; ++x)
-    if (mask[static_cast<size_t>(x) * cell] != 0) out[x] = static_cast<int16_t>(-out[x]);
+  for (uint16_t x = 0; x < rows.n; ++x) {
+    const bool held = mask[static_cast<size_t>(x) * cell] != 0;
+    out[x] = held ? static_cast<int16_t>(-out[x]) : moved_by(out[x], rows.table[moved]);
+  }
+}
+
+// Of the tile; a patch is grown with an edge of one cell more.
+static uint8_t edge_of(const Run& run) { return run.domain.plane ? 1 : 0; }
+static uint32_t cells_above(const Run& run, int32_t level, int16_t* row, uint8_t* work) {
+  const uint8_t edge = edge_of(run);
+  uint32_t count = 0;
+  for (uint16_t y = edge; y < run.domain.height - edge; ++y) {
+    field_row(run, y, row, work);
+    for (uint16_t x = edge; x < run.domain.width - edge; ++x) count += row[x] > level ? 1 : 0;
+  }
+  return count;
+}
+
+// The least level with at most the share of cells above it, an exact quantile, in seventeen looks at all cells and no
+// memory; the field is then moved from there to `above`.
+void look_at_share(const Run& run, int16_t* row, uint8_t* work) {
+  run.table[moved] = 0;
+  const int32_t share = run.stage.number[kinetics::coverage];
+  const bool whole = run.phase == Phase::sweeping || run.phase == Phase::sealing || run.phase == Phase::done;
+  if (share == 0 || !whole) return;
+  const uint16_t width = static_cast<uint16_t>(run.domain.width - 2 * edge_of(run));
+  const uint64_t cells = static_cast<uint64_t>(width) * static_cast<uint16_t>(run.domain.height - 2 * edge_of(run));
+  const uint32_t wanted = static_cast<uint32_t>((cells * static_cast<uint32_t>(share) + base::kMicro / 2) / base::kMicro);
+  int32_t low = -32768, high = 32767;
+  while (low < high) {
+    const int32_t middle = (low + high + 65536) / 2 - 32768;
+    if (cells_above(run, middle, row, work) > wanted) low = middle + 1;
+    else high = middle;
+  }
+  run.table[moved] = run.model.cell_level(run.stage.number) - low;
 }
 
 }  // namespace dapple::evolve

@@ -26,6 +26,8 @@ enum KineticTable : uint8_t {
   wide_cells,
   has_rates,  // a plane of deviations is kept
   level_of,
+  cut_bits,  // of compact cells; 0: the cells are computed as they are kept
+  moved,     // what the field has more than the shown morphogen, so that the share of cells asked for is on
   table_count
 };
 
@@ -36,11 +38,12 @@ constexpr uint8_t kept_by(const int32_t* number, bool holds) {
 
 constexpr Reach reach_of_kinetics(const Model& model, const int32_t* number, bool holds) {
   const uint8_t planes = model.planes(number), kept = kept_by(number, holds);
+  const uint8_t computed = kinetics::cut_of(model) > 0 ? planes : uint8_t{0};  // rows in the format of steps
   Reach reach{static_cast<uint8_t>(planes + kept),
               1,
               1,
               model.work_rows,
-              static_cast<uint8_t>(planes + 1),
+              static_cast<uint8_t>(planes + 1 + computed),
               0,
               1,
               1,
@@ -57,6 +60,13 @@ constexpr Reach cascade_reach(const Model& model, const int32_t* number, uint8_t
   return reach_of_kinetics(model, number, true);
 }
 
+// A share of all cells is for tiles: windows of the plane, and patches that are joined, would not agree.
+constexpr Status accepts_share(const int32_t* number, const void*, const Domain& domain) {
+  if (number[kinetics::coverage] == 0) return ok;
+  if (domain.patches != nullptr) return domain.patches->count == 1 ? ok : bad_sides;
+  return domain.plane ? halo_too_wide : ok;
+}
+
 // A plane of growth behind the model's own; where the picture is follows the table.
 constexpr uint8_t kPictureWords = (sizeof(const GreyImage*) + 3) / 4;
 constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
@@ -66,7 +76,8 @@ constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_
   reach.table = static_cast<uint16_t>(table_count + kPictureWords);
   return reach;
 }
-constexpr Status accepts_picture(const int32_t*, const void* given, const Domain&) {
+constexpr Status accepts_picture(const int32_t* number, const void* given, const Domain& domain) {
+  if (accepts_share(number, given, domain) != ok) return accepts_share(number, given, domain);
   if (given == nullptr) return bad_map;
   const GreyImage& image = static_cast<const PlaceMaps*>(given)->grey;
   const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
@@ -80,11 +91,16 @@ void prepare_kinetics(const Context& context);
 void prepare_pictured(const Context& context);
 void kinetics_field(const grid::Rows& rows);
 void cascade_field(const grid::Rows& rows);
+void look_at_share(const Run& run, int16_t* row, uint8_t* work);
 
-inline constexpr Solver kinetics_solver DAPPLE_ROM = {kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field};
+inline constexpr Solver kinetics_solver DAPPLE_ROM = {
+    kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share,
+    Sharing::none,  1,             nullptr,          false,          look_at_share};
 inline constexpr Solver cascade_solver DAPPLE_ROM = {
-    cascade_reach, cascade_next, prepare_kinetics, cascade_field, nullptr, Sharing::none, 1, nullptr, true};
-inline constexpr Solver pictured DAPPLE_ROM = {pictured_reach, pictured_next, prepare_pictured, kinetics_field,
-                                               accepts_picture};
+    cascade_reach, cascade_next, prepare_kinetics, cascade_field, accepts_share,
+    Sharing::none, 1,            nullptr,          true,          look_at_share};
+inline constexpr Solver pictured DAPPLE_ROM = {
+    pictured_reach, pictured_next, prepare_pictured, kinetics_field, accepts_picture,
+    Sharing::none,  1,             nullptr,          false,          look_at_share};
 
 }  // namespace dapple::evolve

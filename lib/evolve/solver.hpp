@@ -23,6 +23,8 @@ constexpr bool same_grid(Entry entry) { return entry != Entry::start && entry !=
 
 namespace dapple::evolve {
 
+struct Run;  // run.hpp
+
 // One sweep: a row kernel over every row of the grid. With radius r and stride S the kernel for row y reads, of each of
 // its planes, the old rows y - r S ... y + r S (mod height) with halos; with r = 0 it works on the plane's row in place.
 struct Sweep {
@@ -102,6 +104,9 @@ struct Solver {
   uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
   bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
   bool freezes = false;  // can begin a stage by freeze and reset
+  // Before rows of the field are made, whenever planes have moved: what they want to know of all cells, into the run's
+  // table. row: room for one row of the domain.
+  void (*look)(const Run& run, int16_t* row, uint8_t* work) = nullptr;
 };
 
 // A sweep of one kernel that does the whole step on windows of rows.

@@ -28,6 +28,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(200000, "per cell: feed is uniform within this of its value"),
+    coverage_number,
     decimal("feed", 100000, 2000000, 500000, "c"),
     decimal("decay", 500000, 4000000, 1500000, "d"),
     decimal("force", 0, 500000, 150000, "G, the strength of the force; .1 to .2 locks at a quarter of its pace"),

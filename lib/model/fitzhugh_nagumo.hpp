@@ -26,6 +26,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(200000, "per cell: bias is uniform within this of its value"),
+    coverage_number,
     decimal("slow", 10000, 200000, 50000, "s, the rate of b beside that of a"),
     decimal("couple", 1200000, 4000000, 2000000, "s1, the decay of b"),
     decimal("bias", -300000, 300000, 0, "s0; 0 labyrinth, -.05 to -.1 worms, -.15 spots and beans, -.2 sparse spots"),

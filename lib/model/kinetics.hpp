@@ -8,7 +8,7 @@
 namespace dapple::kinetics {
 
 // Slots; a model's own numbers follow.
-enum Slot : uint8_t { scale, dt, show, above, reset, held, stretch, angle, vary, own };
+enum Slot : uint8_t { scale, dt, show, above, reset, held, stretch, angle, vary, coverage, own };
 enum Reset : uint8_t { none, on, off };
 enum Held : uint8_t { same, apart };
 
@@ -52,6 +52,9 @@ inline constexpr Number reset_number = {Number::word,
                                         "the cells that `then freeze` and `then reset` put back to the uniform state"};
 inline constexpr Number held_number = {
     Number::word, "held", 0, 1, 0, "same|apart", "apart: held cells show as their negative, for colours of their own"};
+inline constexpr Number coverage_number =
+    decimal("coverage", 0, 900000, 0,
+            "share of a tile's cells that are on: the field is moved until `above` has them above it; 0: as it is");
 inline constexpr Number stretch_number =
     decimal("stretch", kStretch[0], kStretch[1], 1000000,
             "length over width of a spot: diffusion is its square stronger along the angle");
@@ -93,6 +96,13 @@ constexpr int32_t largest_dt(int64_t diffusion, int64_t rate) {
 constexpr int64_t fourth_root(int64_t product, int64_t unit) {
   const int64_t share = product * 1000 / unit * 1000000;  // 1/10^9
   return base::square_root64(static_cast<uint64_t>(base::square_root64(static_cast<uint64_t>(share) * 1000)) * 1000000);
+}
+
+// A length in 1/kMicro of patterns stretched along a direction: `round` where they are not. Spots take room in proportion
+// to 1 / stretch, so that the mean of the lengths along and across goes with its root.
+constexpr int32_t stretched(int64_t round, int32_t stretch) {
+  const int64_t root = base::square_root64(static_cast<uint64_t>(stretch) * base::kMicro);
+  return static_cast<int32_t>(base::divide_round(round * base::kMicro, root));
 }
 
 // A scale below `least` cells of the grid is too coarse for the pattern; otherwise dt has a largest value.
@@ -143,6 +153,34 @@ constexpr Model model_of(grid::Cell cell, uint8_t rows, bool (*in_range)(const i
           planes, tensor,  levels,                         wavelength, wide ? wide_level : narrow_level,
           values, nullptr, react,                          nullptr,    nullptr,
           false,  bound};
+}
+
+// --- Compact cells: a wide model kept in int16, `cut` bits less of the Q20, which its steps are computed in. What is cut
+// off is rounded up as often as it is large, by a hash of place and step: changes below the last bit are kept on the
+// average, where rounding to nearest would stall (the solver does that, evolve/kinetics.cpp).
+constexpr uint8_t kCompactVary = 9;  // bits of per-cell deviations
+constexpr uint8_t cut_of(const Model& model) {
+  uint8_t cut = 0;
+  for (int32_t unit = model.unit; model.cell == grid::Cell::int16 && unit < kNarrowUnit; unit *= 2) ++cut;
+  return static_cast<uint8_t>(cut == 0 ? 0 : cut + kWide - kNarrow);
+}
+template <uint8_t bits>
+constexpr int16_t compact_level(const int32_t* number) {
+  return static_cast<int16_t>(base::min(fixed(number[above], bits), INT32_C(32767)));
+}
+template <uint8_t bits, grid::Levels (*wide)(const int32_t*, uint8_t)>
+constexpr grid::Levels compact_levels(const int32_t* number, uint8_t plane) {
+  const grid::Levels l = wide(number, plane);
+  const auto cut = [](int32_t level) { return base::min(level >> (kWide - bits), INT32_C(32767)); };
+  return {cut(l.background), cut(l.disc), cut(l.low), cut(l.high)};
+}
+template <uint8_t bits, grid::Levels (*wide)(const int32_t*, uint8_t)>
+constexpr Model compact_of(Model model) {
+  model.cell = grid::Cell::int16;
+  model.unit = static_cast<int16_t>(1 << bits);
+  model.levels = compact_levels<bits, wide>;
+  model.cell_level = compact_level<bits>;
+  return model;
 }
 
 // dt of a step on this grid, 1/kMicro.

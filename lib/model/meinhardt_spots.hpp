@@ -27,6 +27,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(500000, "per cell: beta is uniform within this of 1"),
+    coverage_number,
     decimal("decay", 10000, 150000, 30000, "p1, the rate at which a goes"),
     decimal("drain", 10000, 150000, 40000, "p2, the rate at which b goes"),
     decimal("base", 0, 50000, 0, "p3, the rate at which both are made; .004 lets empty places refill"),
@@ -48,7 +49,7 @@ constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
 // 6.2 / sqrt(s), measured within 6 % at Da = .01, Db = .2; lengths go with (Da Db)^(1/4).
 constexpr int32_t wavelength(const int32_t* number) {
   const int64_t root = fourth_root(static_cast<int64_t>(number[spread]) * number[reach], INT64_C(2000000000));
-  return static_cast<int32_t>(number[scale] * root / base::kMicro * 31 / 5);
+  return stretched(number[scale] * root / base::kMicro * 31 / 5, number[stretch]);
 }
 
 constexpr int32_t most_dt(const int32_t* number, uint8_t) { return largest_dt(number[reach], 0); }
@@ -75,4 +76,6 @@ namespace dapple {
 inline constexpr Model meinhardt_spots_model DAPPLE_ROM =
     kinetics::model_of(grid::Cell::int32, 0, meinhardt_spots::in_range, kinetics::two_planes, meinhardt_spots::levels,
                        meinhardt_spots::wavelength, meinhardt_spots::values, meinhardt_spots::react_row, meinhardt_spots::bound);
+inline constexpr Model compact_meinhardt_spots_model DAPPLE_ROM =
+    kinetics::compact_of<12, meinhardt_spots::levels>(meinhardt_spots_model);
 }  // namespace dapple

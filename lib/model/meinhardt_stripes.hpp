@@ -31,6 +31,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(200000, "per cell: beta is uniform within this of 1"),
+    coverage_number,
     decimal("decay", 10000, 150000, 40000, "ka, the rate at which a and b go"),
     decimal("drain", 10000, 150000, 60000, "kc, the rate at which c goes"),
     decimal("relax", 10000, 150000, 40000, "kd, the rate at which d follows a, and e follows b"),

@@ -24,6 +24,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(100000, "per cell: feed is uniform within this of its value"),
+    coverage_number,
     decimal("feed", 10000, 500000, 100000, "a, the rate at which u is made"),
     decimal("supply", 100000, 2000000, 900000, "b, the rate at which v is made"),
     decimal("spread", 2000, 100000, 20000, "cells^2 per step: Du"),

@@ -31,6 +31,7 @@ inline constexpr Number numbers[] = {
     stretch_number,
     angle_number,
     vary_number(1000000, "per cell: decay (with a picture, growth) is uniform within this of its value"),
+    coverage_number,
     decimal("growth", kGrowth[0], kGrowth[1], 16000000, "g, the rate at which a is made"),
     decimal("decay", kDecay[0], kDecay[1], 12050000,
             "d, the rate at which b goes; 12.05 round spots, 12.25 fast ones, 12.5 worms among them"),
@@ -60,12 +61,12 @@ constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {
   return {centre, plane == 0 ? base::min(2 * centre, largest) : centre, base::max(centre - half, 0), centre + half};
 }
 
-// 2 pi (Da Db / b0)^(1/4) / sqrt(s), less the 2 % by which grown patterns are shorter.
+// 2 pi (Da Db / b0)^(1/4) / sqrt(s), less the 1 % by which grown patterns are shorter: a spot has 2 / sqrt(3) of its square.
 constexpr int32_t wavelength(const int32_t* number) {
   const int64_t square = spread_of(number, 0) * spread_of(number, 1) / (number[growth] - number[decay]) * base::kMicro;
   const int64_t root =
       base::square_root64(static_cast<uint64_t>(base::square_root64(static_cast<uint64_t>(square))) * 1000000);
-  return static_cast<int32_t>(number[scale] * root / base::kMicro * 6157522 / base::kMicro);
+  return stretched(number[scale] * root / base::kMicro * 6170000 / base::kMicro, number[stretch]);
 }
 
 // dt (8 Da + s b) < 2 with b up to about 6.6; and s dt < 1/8, for the formats of the reaction.
@@ -97,4 +98,5 @@ namespace dapple {
 inline constexpr Model turing_model DAPPLE_ROM =
     kinetics::model_of(grid::Cell::int32, 0, turing::in_range, kinetics::two_planes, turing::levels,
                        turing::wavelength, turing::values, turing::react_row, turing::bound);
+inline constexpr Model compact_turing_model DAPPLE_ROM = kinetics::compact_of<11, turing::levels>(turing_model);  // below 16
 }  // namespace dapple

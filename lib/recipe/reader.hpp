@@ -13,7 +13,7 @@ struct Trouble {
   recipe::Word word;
   int32_t low, high;       // of out_of_range and unstable, in 1/kMicro, or plain for whole numbers
   bool whole;
-  const char* allowed;     // of unknown_word: words separated by '|', or null; of unstable: the number's name
+  const char* allowed;     // of unknown_word: words separated by '|', or null; of unstable, not_possible: the number's name, or null
   int32_t value;           // of unstable: what it is, and low and high what it may be
 };
 
@@ -34,6 +34,9 @@ struct Reader {
   bool multigrid, was_multigrid;  // now asked for; what the recipe is that is changed
   int32_t first_angle, scale;  // before
   Word schedule, length;       // the last schedule and the last scale read
+  Word spot;                   // spot_size
+  int32_t spot_size;           // 0: not given
+  bool aspect_given, coverage_given, steps_given, range_given;
 };
 
 DAPPLE_APART constexpr bool fail(Reader& r, Status status, Word word, int32_t low = 0, int32_t high = 0, bool whole = false, const char* allowed = nullptr) {

@@ -64,6 +64,11 @@ namespace dapple::recipe {
 
 constexpr bits::Living any_number(const int32_t*) { return {INT32_MIN, INT32_MAX}; }
 
+// What makes spots as they are asked for, measured (tests/reference/dials.cpp).
+struct Dials {
+  uint32_t settled;  // steps per scale^2 after which spots stay
+};
+
 // A model as text knows it: names, numbers, solvers (the first is the default), start and numbers of paint to begin with.
 struct Family {
   const char* name;
@@ -81,6 +86,8 @@ struct Family {
   int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
   const evolve::BlockWork* blocks = nullptr;
   uint8_t freezing = 0;  // which solver runs a stage that begins with `then freeze` or `then reset`; 0: none
+  Dials dials = {0};             // of families that take aspect and spot_size
+  const Model* compact = model;  // cells=compact: the same in half of the memory; the model itself where there is none
 };
 
 // A family of explicit kinetics.
@@ -88,6 +95,11 @@ constexpr Family kinetics_family(const char* name, const Model* model, const Num
                                  int32_t low, int32_t high) {
   return {name, model, numbers, count, "plain|cascade", {&evolve::kinetics_solver, &evolve::cascade_solver}, steps, start, low, high, 0,
           any_number, any_number, nullptr, nullptr, 1};
+}
+constexpr Family of_spots(Family family, Dials dials, const Model* compact) {
+  family.dials = dials;
+  family.compact = compact;
+  return family;
 }
 // And one whose rate a picture can set.
 constexpr Family with_picture(Family family) {
@@ -109,8 +121,8 @@ inline constexpr Family families[] = {
     {"gray-scott", &gray_scott_model, gray_scott::numbers, count_of(gray_scott::numbers), "kinetic",
      {&evolve::kinetic, nullptr}, 5000,
      {Start::seeds, 40000000, 600000, 350000, 5000000, 1000000, start::seeds_row}, 0, 350000},
-    with_picture(kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000)),
-    kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000),
+    of_spots(with_picture(kinetics_family("turing", &turing_model, turing::numbers, count_of(turing::numbers), 4000, kNoise, 2500000, 9500000)), {60}, &compact_turing_model),
+    of_spots(kinetics_family("meinhardt-spots", &meinhardt_spots_model, meinhardt_spots::numbers, count_of(meinhardt_spots::numbers), 3400, kNoise, 0, 5000000), {700}, &compact_meinhardt_spots_model),
     kinetics_family("meinhardt-stripes", &meinhardt_stripes_model, meinhardt_stripes::numbers, count_of(meinhardt_stripes::numbers), 2000, kNoise, 0, 1900000),
     kinetics_family("fitzhugh-nagumo", &fitzhugh_nagumo_model, fitzhugh_nagumo::numbers, count_of(fitzhugh_nagumo::numbers), 2000, kNoise, -1000000, 1000000),
     kinetics_family("schnakenberg", &schnakenberg_model, schnakenberg::numbers, count_of(schnakenberg::numbers), 8000, kNoise, 200000, 2500000),

@@ -3,13 +3,13 @@
 //   recipe = model { key=value } { "then" ("carry" | "refine" | "freeze" | "reset") { key=value } }
 //
 // Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
-// (cells, sets scale); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
+// (cells, sets scale); cells=wide|compact (of all stages: four bytes a cell of a plane or two); aspect and spot_size of spots (dials.hpp); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
 // sides=repeat|closed|fixed, of all, across and down, or left, right, top and bottom, and fixed=A,B; ramp, range=LOW,HIGH, light,
 // gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six
 // digits after the point.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "levels.hpp"
+#include "dials.hpp"
 #include "start_text.hpp"
 
 namespace dapple::recipe {
@@ -45,6 +45,7 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   for (uint8_t i = 0; i < r.family->number_count; ++i) {
     const Number& n = r.family->numbers[i];
     if (equal(key, "scale")) r.length = value;
+    if (equal(key, "coverage")) r.coverage_given = true;
     const bool named = equal(key, n.name) || (n.kind == Number::angles && equal(key, "angles"));
     if (named) {
       found = true;
@@ -61,6 +62,8 @@ DAPPLE_APART constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }
 
+constexpr const char* kCells = "wide|compact";
+
 constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
   Stage& stage = r.recipe->stage[r.stage];
   uint32_t whole = 0;
@@ -71,6 +74,7 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     const uint32_t later = total_steps(*r.recipe) - stage.steps;  // stages of an overridden recipe keep theirs
     if (r.stage + 1 < r.recipe->stages && whole < later) return fail(r, out_of_range, value, static_cast<int32_t>(later), 1000000, true);
     stage.steps = r.stage + 1 < r.recipe->stages ? whole - later : whole;
+    r.steps_given = true;
     return true;
   }
   if (equal(key, "level")) {
@@ -85,6 +89,11 @@ constexpr bool stage_key(Reader& r, Word key, Word value, bool& found) {
     r.multigrid = equal(value, kMultigrid);
     if (r.multigrid) index = 0;
     for (uint8_t s = r.stage; s < r.recipe->stages; ++s) r.recipe->stage[s].solver = r.family->solvers[index];
+    return true;
+  }
+  if (equal(key, "cells") && r.family->compact != r.family->model) {
+    if (!word_in(r, value, kCells, index)) return false;
+    for (uint8_t s = 0; s < r.recipe->stages; ++s) r.recipe->stage[s].model = index == 0 ? r.family->model : r.family->compact;
     return true;
   }
   if (equal(key, "levels")) return integer_in(r, value, 1, kMaxLevel + 1, r.levels);
@@ -112,6 +121,7 @@ constexpr bool paint_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "ramp")) return read_ramp(value, p.ramp) || fail(r, unknown_word, value, 0, 0, false, "a ramp's name|stops like 000000,ff8000,ffffff or 0:000000,255:ffffff");
   if (equal(key, "range")) {
     Word rest = value;
+    r.range_given = true;
     return decimal_in(r, take(rest, ','), -kLargestShown, kLargestShown, p.low) &&
            decimal_in(r, rest, p.low + 1, kLargestShown, p.high);
   }
@@ -131,6 +141,7 @@ constexpr bool key_value(Reader& r, Word word) {
   bool found = false;
   if (!model_key(r, key, value, found) || found) return found && r.trouble.status == ok;
   if (!stage_key(r, key, value, found) || found) return r.trouble.status == ok;
+  if (!dial_key(r, key, value, found) || found) return r.trouble.status == ok;
   if (!start_key(r, key, value, found) || found) return r.trouble.status == ok;
   if (!side_key(r, key, value, found) || found) return r.trouble.status == ok;
   if (!paint_key(r, key, value, found) || found) return r.trouble.status == ok;
@@ -226,6 +237,7 @@ constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
 constexpr bool settle(Reader& r, Word all) {
   const int8_t scale = slot_named(*r.family, "scale"), angle = angles_of(*r.family);
   const int32_t scale_before = scale >= 0 ? r.recipe->stage[0].number[scale] : 0;
+  if (!length_of_spots(r, all)) return false;
   for (uint8_t i = 0; i < r.recipe->stages; ++i) {
     int32_t* number = r.recipe->stage[i].number;
     for (uint8_t k = 0; k < r.family->number_count && r.wavelength != 0 && scale >= 0; ++k) {
@@ -234,6 +246,7 @@ constexpr bool settle(Reader& r, Word all) {
       if (i > 0 && r.family->freezing > 0) number[scale] = times(number[scale], r.recipe->stage[0].number[scale], scale_before);
       else if (!tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
+    if (!cover_spots(r, r.recipe->stage[i])) return false;
     if (!living(r, all, number) || !bounded(r, all, r.recipe->stage[i])) return false;
     if (angle < 0) continue;
     const int32_t pairs = number[0];
@@ -251,6 +264,7 @@ constexpr bool settle(Reader& r, Word all) {
     if (!r.pitch_given) s.pitch = times(s.pitch, now, r.scale, kPitch);
     if (!r.radius_given) s.radius = times(s.radius, now, r.scale, kRadius);
   }
+  settle_spots(r);
   return spread_levels(r, all);
 }
 
@@ -287,7 +301,7 @@ constexpr int8_t family_named(Word name) {
 }
 constexpr const Family* family_of(const Recipe& recipe) {
   for (const Family& f : families)
-    if (f.model == recipe.stage[0].model) return &f;
+    if (f.model == recipe.stage[0].model || f.compact == recipe.stage[0].model) return &f;
   return nullptr;
 }
 

@@ -212,6 +212,7 @@ size_t write(const Recipe& recipe, char* text, size_t size) {
   recipe::Writer w = {text, size, 0};
   const Family* family = recipe::family_of(recipe);
   recipe::put(w, family->name);
+  if (recipe.stage[0].model != family->model) recipe::put(w, " cells=compact");
   const bool multigrid = recipe::is_multigrid(recipe, *family);
   if (multigrid) recipe::put_multigrid(w, *family, recipe);
   else recipe::put_stage(w, *family, recipe.stage[0]);

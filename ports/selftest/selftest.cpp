@@ -20,8 +20,18 @@ constexpr Preset lean_maze DAPPLE_ROM =
 constexpr Preset short_mitosis DAPPLE_ROM = dapple::recipe::preset("gray-scott feed=0.0367 kill=0.0649 steps=40");
 constexpr Preset finer DAPPLE_ROM = dapple::recipe::preset(
     "threshold pairs=1 react=md scale=2.2 stretch=2 angle=78.5 rho=0 solver=euler levels=2 steps=8");
+// Explicit kinetics, one of each; cells that are held, a share of cells, compact cells.
+constexpr Preset turing DAPPLE_ROM = dapple::recipe::preset("turing scale=5 vary=0.1 steps=20 then freeze above=4.3 steps=8");
+constexpr Preset spots DAPPLE_ROM = dapple::recipe::preset("meinhardt-spots scale=1.6 coverage=0.2 steps=20");
+constexpr Preset stripes DAPPLE_ROM = dapple::recipe::preset("meinhardt-stripes spread=0.02 vary=0.05 steps=12");
+constexpr Preset walls DAPPLE_ROM = dapple::recipe::preset("fitzhugh-nagumo scale=0.5 stretch=1.5 angle=20 steps=40");
+constexpr Preset schnakenberg DAPPLE_ROM = dapple::recipe::preset("schnakenberg steps=20");
+constexpr Preset phases DAPPLE_ROM = dapple::recipe::preset("brusselator start=phases pitch=12 scale=0.6 force=0.2 steps=20");
+constexpr Preset compact DAPPLE_ROM = dapple::recipe::preset("turing cells=compact scale=5 stretch=1.6 angle=65 steps=28");
 constexpr bool good(const Preset& preset) { return preset.recipe.stages > 0; }
 static_assert(good(cell_program) && good(lean_maze) && good(short_mitosis) && good(finer), "a recipe is refused");
+static_assert(good(turing) && good(spots) && good(stripes) && good(walls) && good(schnakenberg) && good(phases) && good(compact),
+              "a recipe of kinetics is refused");
 
 // What firmware does: masks and sizes made by the compiler, kept in read-only memory.
 template <const Preset& preset, uint8_t count> constexpr auto masks DAPPLE_ROM = dapple::stored_masks<count>(preset);
@@ -140,6 +150,15 @@ void selftest(void (*put)(char), size_t memory_bytes, void* memory, const dapple
   tile<presets::stucco, 32, 32>(host, "stucco", 7, true);
   tile<finer, 48, 48>(host, "finer");
   tile<short_mitosis, 60, 36>(host, "short-mitosis");
+#ifndef SELFTEST_SHORT  // an ATmega1284P has no room for these beside the others
+  tile<turing, 24, 20>(host, "turing");
+  tile<spots, 28, 20>(host, "meinhardt-spots");
+  tile<stripes, 24, 24>(host, "meinhardt-stripes");
+  tile<walls, 32, 24>(host, "fitzhugh-nagumo");
+  tile<schnakenberg, 24, 24>(host, "schnakenberg");
+  tile<phases, 24, 24>(host, "brusselator");
+  tile<compact, 32, 24>(host, "compact-turing");
+#endif
   tile<presets::zebra, 64, 64>(host, "zebra", 7, true);
   tile<presets::weave, 48, 48>(host, "weave");
   tile<short_mitosis, 64, 64>(host, "short-mitosis");

@@ -55,7 +55,47 @@ test_frames() {
   }
 }
 
-for part in picture frames; do
+# Spots as they are asked for; what cannot be is refused in words.
+test_dials() {
+  local small="--size 64 steps=60" on
+  # shellcheck disable=SC2086
+  {
+    equal "aspect is stretch" "$(hash_of turing $small aspect=1.5)" "$(hash_of turing $small stretch=1.5)"
+    equal "spot_size is a share" "$(hash_of turing $small wavelength=12 spot_size=6)" "$(hash_of turing $small wavelength=12 coverage=0.170043)"
+    differ "coverage" "$(hash_of turing $small coverage=0.2)" "$(hash_of turing $small)"
+    check "--view cells" run grow turing $small coverage=0.25 --view cells -o "$folder/cells.pgm"
+    on=$(tail -c 4096 "$folder/cells.pgm" | tr -d '\0' | wc -c)
+    check "coverage=0.25: $on of 4096 cells are on" test "$on" -le 1024 -a "$on" -ge 1000  # as many as are equal at the edge are left
+    check "--every with coverage" run grow turing $small coverage=0.3 --every 30 -o "$folder/covered%01d.ppm"
+    check "a frame with coverage" run grow turing --size 64 steps=30 coverage=0.3 range=1.5,8.5 -o "$folder/covered.ppm"
+    check "a frame is what --steps gives" cmp "$folder/covered.ppm" "$folder/covered1.ppm"
+  }
+  check "all dials" run grow 'turing wavelength=14 aspect=2 angle=30 coverage=0.35' --size 32 --steps 5 -o "$folder/dials.png"
+  refused 2 "'3' is out of range, 1 to 2.414" -- grow turing aspect=3
+  refused 2 "'0.95' is out of range, 0 to 0.9" -- grow turing coverage=0.95
+  refused 2 "'14' is out of range, 1.45" "to 13.8" -- grow turing wavelength=12 spot_size=14
+  refused 2 "two of them" -- grow turing wavelength=12 spot_size=6 coverage=0.2
+  refused 2 "'spot_size' is not a key of schnakenberg" -- grow schnakenberg spot_size=6
+  refused 1 "whole tile" -- grow turing steps=6 coverage=0.2 --at 0,0
+}
+
+# Half of the memory: what info says, and what it is not for.
+test_compact() {
+  check "compact: kind of cell" grep -qF -e "int16" <<< "$(run info turing cells=compact)"
+  check "compact: bytes" grep -qF -e '"planes_bytes": 16384' <<< "$(run info turing cells=compact --size 64 --json)"
+  check "compact: the recipe" grep -qF -e "meinhardt-spots cells=compact scale=" <<< "$(run info meinhardt-spots cells=compact)"
+  check "wide: bytes" grep -qF -e '"planes_bytes": 32768' <<< "$(run info turing-spots cells=wide --size 64 --json)"
+  local small="--size 48 steps=40 cells=compact"
+  # shellcheck disable=SC2086
+  {
+    equal "compact: threads" "$(hash_of turing $small --threads 3)" "$(hash_of turing $small --budget 7)"
+    differ "compact" "$(hash_of turing $small)" "$(hash_of turing --size 48 steps=40)"
+  }
+  refused 2 "wide|compact" -- grow turing cells=16
+  refused 2 "'cells' is not a key of schnakenberg" -- grow schnakenberg cells=compact
+}
+
+for part in picture frames dials compact; do
   test_$part
 done
 echo "kinetics: $passed passed, $failed failed"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "reference.hpp"
 
@@ -207,5 +208,27 @@ TEST_CASE("reference: kinetics in float64") {
     CHECK(std::fabs(d.wavelength) <= 0.02);
     CHECK(std::fabs(d.fill) <= 0.01);
     if (c.counts) CHECK(std::abs(found - spots) <= std::max(2.0, 0.03 * spots));
+  }
+}
+
+// Half of the memory, and the pattern of the same kind: often the same spots.
+TEST_CASE("reference: compact cells against wide ones") {
+  for (const char* text : {"turing decay=12.25 steps=2400", "turing scale=18.257 decay=12.25 steps=6000",
+                           "turing decay=19.8 growth=24.5 show=b above=6 steps=2000", "meinhardt-spots steps=3400",
+                           "meinhardt-spots scale=1.58 base=0.004 steps=2000"}) {
+    const dapple::Recipe wide = tests::recipe_of(text), compact = tests::recipe_of((text + std::string(" cells=compact")).c_str());
+    REQUIRE_MESSAGE(compact.stages == 1, text);
+    Plane want = library_field(wide, kGrid, 1), have = library_field(compact, kGrid, 1);
+    for (double& v : want) v /= wide.stage[0].model->unit;
+    for (double& v : have) v /= compact.stage[0].model->unit;
+    const double level = wide.stage[0].number[kinetics::above] / 1e6;
+    const reference::Distance d = distance(have, want, kGrid, level, level);
+    const int spots = spots_in(want), found = spots_in(have);
+    std::printf("compact %-60s wavelength %+5.2f %%  fill %+.4f  spots %3d %+3d  agreement %.4f\n", text, 100 * d.wavelength,
+                d.fill, spots, found - spots, d.agreement);
+    INFO(text);
+    CHECK(std::fabs(d.wavelength) <= 0.02);
+    CHECK(std::fabs(d.fill) <= 0.01);
+    CHECK(std::abs(found - spots) <= std::max(2.0, 0.03 * spots));
   }
 }

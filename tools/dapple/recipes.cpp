@@ -80,7 +80,9 @@ static std::string outside(const std::string& text, const Trouble& trouble, cons
 }
 
 // Which words exclude each other follows from the word that was met.
-static std::string impossible(const std::string& word) {
+static std::string impossible(const Trouble& trouble, const std::string& word) {
+  if (trouble.allowed != nullptr)
+    return "wavelength=, spot_size= and coverage= follow from each other: two of them are enough";
   if (word.find("repeat") != std::string::npos)
     return "sides repeat in pairs, left with right and top with bottom";
   if (word == "carry") return "a recipe has at most " + std::to_string(dapple::kMaxStages) + " stages";
@@ -115,7 +117,7 @@ static std::string reason(const std::string& text, const Trouble& trouble) {
     case dapple::unstable:
       return unsteady(trouble.allowed, trouble.value, trouble.low, trouble.high);
     default:
-      return impossible(word);
+      return impossible(trouble, word);
   }
 }
 
@@ -206,6 +208,8 @@ uint32_t steps_of(const Recipe& recipe) { return dapple::recipe::total_steps(rec
 static uint32_t rounded_up(uint32_t side, uint32_t multiple) { return (side + multiple - 1) / multiple * multiple; }
 
 void fail_for_halo(const Subject& subject, uint32_t halo) {
+  if (halo <= dapple::kWidestHalo)
+    fail("coverage= and spot_size= are shares of a whole tile, of which the endless plane has none (dapple grow without --at)");
   fail("the endless plane is not for " + subject.name + ": it would have to grow " + std::to_string(halo) +
        " cells more on every side, and " + std::to_string(dapple::kWidestHalo) +
        " are the most; a tile needs none (dapple grow without --at)");
@@ -277,6 +281,8 @@ std::vector<std::string> keys_of(const Family& family) {
     keys.push_back(family.numbers[i].name);
     if (family.numbers[i].kind == dapple::Number::angles) keys.push_back("angles");
   }
+  if (family.dials.settled > 0) keys.push_back("spot_size");
+  if (family.compact != family.model) keys.push_back("cells");
   return keys;
 }
 
