@@ -135,7 +135,6 @@ constexpr Status check(const Recipe& recipe, const Domain& domain, uint8_t bands
       const Status accepted = s.solver->accepts(s.number, s.stored, domain);
       if (accepted != ok) return accepted;
     }
-    if (s.model->bound == nullptr) continue;
     need.stage = i;
     need.bound = s.model->bound(s.number, s.level);
     if (!within(s.number[need.bound.slot], need.bound.low, need.bound.high)) return unstable;

@@ -143,7 +143,7 @@ TEST_CASE("begin: bytes are the formula of README") {
 TEST_CASE("texture: progress, steps and rows in all") {
   for (const char* name : {"zebra", "weave", "mitosis"}) {
     CAPTURE(name);
-    Recipe recipe = dapple::load(*dapple::find_preset(name));
+    Recipe recipe = tests::preset(name);
     if (recipe.stage[0].steps > 50) recipe.stage[0].steps = 50;
     tests::Grown tile(recipe, torus(96, 72), 4);
     CHECK(tile.texture.rows_done() == tile.texture.rows_in_all());

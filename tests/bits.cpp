@@ -247,7 +247,7 @@ static void check_variants(const Recipe& recipe, const dapple::Domain& domain, D
 TEST_CASE("bits: kernels, solvers, bands and budgets give the same bits, every preset") {
   Dice dice = dice_of(3);
   for (const std::string& name : presets_of(&dapple::bits_model)) {
-    const Recipe recipe = dapple::load(*dapple::find_preset(name.c_str()));
+    const Recipe recipe = tests::preset(name);
     CAPTURE(name);
     check_variants(recipe, dice.torus(recipe), dice);
   }
@@ -331,7 +331,7 @@ TEST_CASE("bits: numbers beyond their ranges are refused with bounds") {
 }
 
 TEST_CASE("bits: begin distrusts recipes made by hand") {
-  const Recipe coral = dapple::load(*dapple::find_preset("coral-bits"));
+  const Recipe coral = tests::preset("coral-bits");
   for (const auto& [slot, value] : std::vector<std::pair<int, int32_t>>{{bits::masks, 0},
                                                                         {bits::masks, 6},
                                                                         {bits::react, 2},

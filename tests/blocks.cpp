@@ -19,20 +19,13 @@ using dapple::window;
 using tests::Grown;
 using tests::kSeed;
 using tests::World;
+using tests::part;
+using tests::preset;
 
 namespace {
 
 using Cells = std::vector<int16_t>;
 
-dapple::Recipe preset(const std::string& name) { return dapple::load(*dapple::find_preset(name.c_str())); }
-
-template <class T> std::vector<T> part(const std::vector<T>& all, size_t wide, size_t x, size_t y, size_t width, size_t height) {
-  std::vector<T> result;
-  for (size_t row = y; row < y + height; ++row)
-    result.insert(result.end(), all.begin() + static_cast<ptrdiff_t>(row * wide + x),
-                  all.begin() + static_cast<ptrdiff_t>(row * wide + x + width));
-  return result;
-}
 
 bool meet(const evolve::Span& a, const evolve::Span& b) { return a.from < b.to && b.from < a.to; }
 bool meet(const evolve::Box& a, const evolve::Box& b) { return meet(a.x, b.x) && meet(a.y, b.y); }

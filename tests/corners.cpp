@@ -22,7 +22,7 @@ dapple::Recipe recipe_named(const std::string& text) {
   const size_t space = text.find(' ');
   const std::string name = text.substr(0, space);
   if (dapple::find_preset(name.c_str()) == nullptr) return tests::recipe_of(text.c_str());
-  return space == std::string::npos ? dapple::load(*dapple::find_preset(name.c_str()))
+  return space == std::string::npos ? tests::preset(name)
                                     : tests::preset_with(name.c_str(), text.c_str() + space + 1);
 }
 

@@ -161,7 +161,7 @@ static void check_variants(const Recipe& recipe, dapple::Domain d, Dice& dice) {
 TEST_CASE("flow: kernels, bands and budgets give the same bits on torus and plane") {
   Dice dice = dice_of(6);
   for (const std::string& name : tests::presets_of(&dapple::flow_model)) {
-    const Recipe recipe = dapple::load(*dapple::find_preset(name.c_str()));
+    const Recipe recipe = tests::preset(name);
     CAPTURE(name);
     check_variants(recipe, dice.torus(recipe), dice);
   }
@@ -263,5 +263,5 @@ TEST_CASE("flow: numbers beyond their ranges are refused with bounds, by hand as
                                                                         {flow::stretch, 900000},
                                                                         {flow::angles, -720000001},
                                                                         {flow::rho, 430001}})
-    tests::check_refused(dapple::load(*dapple::find_preset("swirl-weave")), slot, value);
+    tests::check_refused(tests::preset("swirl-weave"), slot, value);
 }

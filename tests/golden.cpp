@@ -12,7 +12,7 @@ using tests::Golden;
 using tests::read_goldens;
 
 void check(const Golden& g, uint32_t budget, uint8_t bands) {
-  const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
+  const dapple::Recipe recipe = tests::preset(g.name);
   dapple::Options options;
   options.bands = bands;
   tests::Grown tile(recipe, dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height)), g.seed, budget, options);
@@ -44,16 +44,10 @@ TEST_CASE("golden: one call") {
   for (const Golden& g : read_goldens()) check(g, UINT32_MAX, 1);
 }
 
-TEST_CASE("golden: one row at a time, seven rows at a time") {
-  for (const Golden& g : read_goldens()) {
-    check(g, 1, 1);
-    check(g, 7, 1);
-  }
+TEST_CASE("golden: one row at a time") {
+  for (const Golden& g : read_goldens()) check(g, 1, 1);
 }
 
-TEST_CASE("golden: two and three bands") {
-  for (const Golden& g : read_goldens()) {
-    check(g, UINT32_MAX, 2);
-    check(g, 7, 3);
-  }
+TEST_CASE("golden: seven rows at a time, three bands") {
+  for (const Golden& g : read_goldens()) check(g, 7, 3);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "dapple.hpp"
@@ -60,6 +61,13 @@ struct Grown {
   }
 };
 
+// Its hash; 0: refused.
+inline uint64_t field_hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, uint32_t seed,
+                              const dapple::Options& options = dapple::Options{}, uint32_t budget = UINT32_MAX) {
+  Grown tile(recipe, domain, seed, budget, options);
+  return tile.status == dapple::ok ? tile.field_hash() : 0;
+}
+
 inline dapple::Recipe recipe_of(const char* text) {
   dapple::Recipe recipe{};
   dapple::Trouble trouble{};
@@ -67,12 +75,31 @@ inline dapple::Recipe recipe_of(const char* text) {
   return recipe;
 }
 
+inline dapple::Recipe preset(const std::string& name) { return dapple::load(*dapple::find_preset(name.c_str())); }
+
 // A preset with some of its numbers changed.
 inline dapple::Recipe preset_with(const char* name, const char* changes) {
-  dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
+  dapple::Recipe recipe = preset(name);
   dapple::Trouble trouble{};
   if (dapple::parse(changes, recipe, trouble) != dapple::ok) recipe.stages = 0;
   return recipe;
+}
+
+// A surface measured to the end, so many rows at a time.
+inline dapple::Surface measured(dapple::Surface surface, uint32_t rows = 5) {
+  while (measure(surface, rows) == dapple::more) {
+  }
+  return surface;
+}
+
+// The same part of a picture of `wide` elements a row.
+template <class T>
+std::vector<T> part(const std::vector<T>& all, size_t wide, size_t x, size_t y, size_t width, size_t height) {
+  std::vector<T> result;
+  for (size_t row = y; row < y + height; ++row)
+    result.insert(result.end(), all.begin() + static_cast<ptrdiff_t>(row * wide + x),
+                  all.begin() + static_cast<ptrdiff_t>(row * wide + x + width));
+  return result;
 }
 
 struct Size {

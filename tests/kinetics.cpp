@@ -147,7 +147,9 @@ TEST_CASE("bounds: what is let through does not diverge") {
   for (const std::string family : kFamilies) {
     const dapple::Recipe recipe = recipe_of(family.c_str());
     const double most = recipe.stage[0].model->bound(recipe.stage[0].number, 0).high / 1e6;
-    const std::string start = family == "brusselator" ? " start=phases pitch=40" : "";
+    const std::string start = family == "brusselator" ? " start=phases pitch=40 delta=0 force=0.1"
+                              : family == "turing"    ? " decay=12.25"
+                                                      : "";
     const uint16_t side = 96;
     const std::vector<int16_t> f = field_of(
         family + start + " steps=3000 dt=" + std::to_string(std::min(most - 1e-6, 2.0)), dapple::torus(side, side));
@@ -162,6 +164,7 @@ TEST_CASE("bounds: what is let through does not diverge") {
     INFO(family << " " << most << " spread " << std::sqrt(spread / double(f.size())) << " rough "
                 << std::sqrt(rough / double(f.size())));
     CHECK(rough < 0.5 * spread + double(f.size()));
+    CHECK(spread > 400.0 * double(f.size()));
   }
 }
 
@@ -206,7 +209,7 @@ TEST_CASE("then freeze, then reset: the cells that are off go back, and nothing 
   for (size_t i = 0; i < before.size(); ++i) {
     if (before[i] > 0) REQUIRE(off[i] == before[i]);
     else REQUIRE(std::abs(off[i] - uniform) < 7000);  // a step from the uniform state, beside what is held
-    moved += before[i] > 0 && freed[i] != before[i];
+    moved += before[i] > 0 && std::abs(freed[i] - uniform) > 100;
   }
   CHECK(moved > 100);
 }

@@ -99,7 +99,7 @@ TEST_CASE("mapped: a step of diffusion keeps mass exactly and stays between the 
     }
 }
 
-TEST_CASE("mapped: every weight a stage can have is at most a quarter, and full where the share suffices") {
+TEST_CASE("mapped: the stages of a direction share out its variance, with weights of at most a quarter") {
   for (int32_t across = 1; across < 1700; across = across * 3 / 2 + 1)
     for (int32_t along = across; along < 1700; along = along * 3 / 2 + 1)
       for (const bool turned : {false, true}) {
@@ -144,7 +144,7 @@ TEST_CASE("mapped: the same bytes without kept directions, whatever the slices a
     }
 }
 
-TEST_CASE("mapped: windows of the plane are parts of each other, and the map has a period there") {
+TEST_CASE("mapped: windows of the plane are parts of each other") {
   for (const char* map : kMaps) {
     const dapple::Recipe recipe = tests::recipe_of(recipe_with(map, "scale=1 stretch=2 steps=3").c_str());
     Grown whole(recipe, dapple::window(200, -90, 120, 100), 5), part(recipe, dapple::window(247, -33, 30, 41), 5);

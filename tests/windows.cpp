@@ -16,18 +16,9 @@ using tests::kEdge;
 using tests::kSeed;
 using tests::pixels_of;
 using tests::World;
+using tests::part;
 
 namespace {
-
-// The same part of a picture of `wide` elements a row.
-template <class T>
-std::vector<T> part(const std::vector<T>& all, size_t wide, size_t x, size_t y, size_t width, size_t height) {
-  std::vector<T> result;
-  for (size_t row = y; row < y + height; ++row)
-    result.insert(result.end(), all.begin() + static_cast<ptrdiff_t>(row * wide + x),
-                  all.begin() + static_cast<ptrdiff_t>(row * wide + x + width));
-  return result;
-}
 
 constexpr uint32_t kBudgets[] = {1, 7, UINT32_MAX};
 

@@ -12,7 +12,7 @@ class Page {
     this.trial = makeDesk();  // where recipes are tried before anything is given up for them
     this.growing = new Growing(module, makeDesk, (answer) => this.hear(answer), () => this.again());
     this.grounds = { plane: new Plane(this.growing), torus: new Tile(this.growing) };
-    this.presets = this.trial.presets();
+    this.presets = this.trial.presets;
     this.numbers = new Panel(by("numbers"), this.trial, (line) => this.turned(line));
     this.ground = null;
     this.canvas = by("view");

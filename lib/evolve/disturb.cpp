@@ -43,7 +43,7 @@ static bool as_large(const Reach& a, const Reach& b) {
 }
 
 Status change(Run& run, uint8_t slot, int32_t value) {
-  if (!between_steps(run) || !open_to_all(run) || run.model.bound == nullptr) return not_now;
+  if (!between_steps(run) || !open_to_all(run) || run.model.bound == unbounded) return not_now;
   if (slot >= kMaxNumbers) return out_of_range;
   Stage& stage = run.stage;
   const auto reach = [&] { return run.solver.reach(run.model, stage.number, stage.level, stage.stored); };

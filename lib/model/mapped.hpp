@@ -51,5 +51,5 @@ inline constexpr Model mapped_model DAPPLE_ROM = {grid::Cell::int16,     0,
                                                   threshold::values,     threshold::impulse_row,
                                                   threshold::react_row,  nullptr,
                                                   threshold::field_row,  false,
-                                                  nullptr,               threshold::decided_row};
+                                                  unbounded,             threshold::decided_row};
 }  // namespace dapple

@@ -22,6 +22,8 @@ struct Bound {
   int32_t low, high;
 };
 
+constexpr Bound unbounded(const int32_t*, uint8_t) { return {0, INT32_MIN, INT32_MAX}; }
+
 // A model. `number` is always the stage's slots, see Number. Unused kernels are null.
 struct Model {
   grid::Cell cell;
@@ -40,7 +42,7 @@ struct Model {
   grid::RowKernel window;         // a whole step: in[plane * (2 radius + 1) + k] rows y - radius + k; out[plane]
   grid::RowKernel field;          // in[plane] rows; out[0] the int16 field of n cells from x on
   bool coarse = false;            // lengths are in cells of the stage's own grid, which may stay coarser than the picture
-  Bound (*bound)(const int32_t* number, uint8_t level) = nullptr;  // of what can diverge
+  Bound (*bound)(const int32_t* number, uint8_t level) = unbounded;  // of what can diverge
   grid::RowKernel decided = nullptr;  // `impulse` where in[0] says what `field` would: the reaction is decided elsewhere
 };
 

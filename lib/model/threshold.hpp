@@ -120,6 +120,6 @@ inline constexpr Model threshold_model DAPPLE_ROM = {
     grid::Cell::int16,        0,                      threshold::kUnit,    2,
     threshold::in_range,      threshold::planes,      threshold::tensor,      threshold::levels,   threshold::wavelength,
     threshold::cell_level,    threshold::values,      threshold::impulse_row, threshold::react_row,
-    nullptr,                  threshold::field_row,     false,               nullptr,
+    nullptr,                  threshold::field_row,     false,               unbounded,
     threshold::decided_row};
 }  // namespace dapple

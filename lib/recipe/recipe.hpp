@@ -85,7 +85,7 @@ struct Family {
   bits::Living (*lengths)(const int32_t* number) = any_number;  // the range of scale, where it depends on other numbers
   int32_t (*grown)(const int32_t* number) = nullptr;        // coarse models: the wavelength these numbers grow
   const evolve::BlockWork* blocks = nullptr;
-  const evolve::Solver* freezing = nullptr;                 // what runs a stage that begins with `then freeze` or `then reset`
+  uint8_t freezing = 0;  // which solver runs a stage that begins with `then freeze` or `then reset`; 0: none
   const Dials* dials = nullptr;                             // of families that take aspect and spot_size
   const Model* compact = nullptr;                           // the same in half of the memory, cells=compact
 };
@@ -94,7 +94,7 @@ struct Family {
 constexpr Family kinetics_family(const char* name, const Model* model, const Number* numbers, uint8_t count, uint32_t steps, Start start,
                                  int32_t low, int32_t high) {
   return {name, model, numbers, count, "plain|cascade", {&evolve::kinetics_solver, &evolve::cascade_solver}, steps, start, low, high, 0,
-          any_number, any_number, nullptr, nullptr, &evolve::cascade_solver};
+          any_number, any_number, nullptr, nullptr, 1};
 }
 constexpr Family of_spots(Family family, const Dials* dials, const Model* compact) {
   family.dials = dials;

@@ -161,8 +161,8 @@ constexpr bool then_stage(Reader& r, Word word) {
   stage.entry = static_cast<Entry>(entry + static_cast<int32_t>(Entry::carry));
   stage.refine = stage.entry == Entry::refine ? evolve::refine_row : nullptr;
   if (stage.entry == Entry::freeze || stage.entry == Entry::reset) {
-    stage.solver = r.family->freezing;
-    return stage.solver != nullptr || fail(r, not_possible, word);
+    stage.solver = r.family->solvers[r.family->freezing];
+    return r.family->freezing > 0 || fail(r, not_possible, word);
   }
   if (stage.entry == Entry::carry) return true;
   if (before.level == 0) return fail(r, not_possible, word);
@@ -226,7 +226,6 @@ constexpr bool living(Reader& r, Word all, const int32_t* number) {
 
 // What a model cannot stand: steps that diverge, a grid too coarse. The number it is about is named.
 constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
-  if (stage.model->bound == nullptr) return true;
   const Bound bound = stage.model->bound(stage.number, stage.level);
   if (within(stage.number[bound.slot], bound.low, bound.high)) return true;
   fail(r, unstable, all, bound.low, bound.high, false, name_at(*r.family, bound.slot));
@@ -244,7 +243,7 @@ constexpr bool settle(Reader& r, Word all) {
     for (uint8_t k = 0; k < r.family->number_count && r.wavelength != 0 && scale >= 0; ++k) {
       const Number& range = r.family->numbers[k];
       if (!equal(word_of(range.name), "scale")) continue;
-      if (i > 0 && r.family->freezing != nullptr) number[scale] = times(number[scale], r.recipe->stage[0].number[scale], scale_before);
+      if (i > 0 && r.family->freezing > 0) number[scale] = times(number[scale], r.recipe->stage[0].number[scale], scale_before);
       else if (!tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
     if (!cover_spots(r, r.recipe->stage[i])) return false;

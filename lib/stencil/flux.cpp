@@ -1,124 +1,30 @@
 // Passes in divergence form along a map of directions. See flux.hpp.
 // SPDX-License-Identifier: MIT
-#include "flux.hpp"
+#include "flux_cell.hpp"
 
 namespace dapple::stencil {
 
-using base::mulhi;
 using grid::Cell;
-using i16 = int16_t;
-
-static i16 positive(i16 a) { return a > 0 ? a : static_cast<i16>(0); }
-static i16 absolute(i16 a) { return a > 0 ? a : static_cast<i16>(-a); }
-static i16 third(i16 a) { return mulhi(a, 21845); }
-
-// A stream's direction against a way, mirrored so that the three kinds of way are (1, 0), (1, 1) and (2, 1):
-// x = 2 a c + 2 b s, y = 2 d c + 2 e s of the map's Q7 (c, s), with a, b, d, e in Q15; a vector of 127 becomes one of
-// kOne.
-struct Mirror {
-  i16 a, b, d, e;
-};
-static i16 flip_x_of(uint8_t way) { return way == 1 || way >= 6 ? static_cast<i16>(-1) : static_cast<i16>(1); }
-static i16 flip_y_of(uint8_t way) { return way >= 2 && (way & 1) != 0 ? static_cast<i16>(-1) : static_cast<i16>(1); }
-static Mirror mirror_of(const FluxSet::Stream& s, uint8_t way) {
-  const i16 flip_x = flip_x_of(way), flip_y = flip_y_of(way);
-  return {static_cast<i16>(flip_x * s.c), static_cast<i16>(-flip_x * s.s), static_cast<i16>(flip_y * s.s),
-          static_cast<i16>(flip_y * s.c)};
-}
-
-// The parts of a packed cell in Q15.
-static i16 high_cos(i16 cell) { return static_cast<i16>(static_cast<uint16_t>(cell) << 8); }
-static i16 high_sin(i16 cell) { return static_cast<i16>(cell & ~255); }
-static i16 turned(i16 c, i16 s, i16 a, i16 b) { return static_cast<i16>(mulhi(c, a) + mulhi(s, b)); }
-
-// Whatever the map holds |(x, y)| <= 180 / 127 kOne < 23000; what would double beyond int16 is held at 16383. The
-// vector is a sum of g_i u_i, u_i the doubled ways, with the two g_i beside it positive.
-static i16 held(i16 x) { return x < 16383 ? x : static_cast<i16>(16383); }
-// Axes: 2 g - sum of all g, -25800..32766; the sum is max(|x| + |y|/2, |y| + |x|/3).
-static inline i16 axis_of(i16 x, i16 y) {
-  const i16 a = absolute(x), b = absolute(y);
-  const i16 own = held(positive(static_cast<i16>(x - static_cast<i16>(b - (b >> 2)))));
-  const i16 wide = static_cast<i16>(a + (b >> 1)), high = static_cast<i16>(b + third(a));
-  return static_cast<i16>(static_cast<i16>(2 * own) - (wide > high ? wide : high));
-}
-// Diagonals: g = y - 4/3 |x|.
-static inline i16 diagonal_of(i16 x, i16 y) {
-  const i16 a = absolute(x);
-  return positive(static_cast<i16>(positive(y) - static_cast<i16>(a + third(a))));
-}
-// Knight's moves: g = min(5/4 y, 5/3 x).
-static inline i16 knight_of(i16 far, i16 near) {
-  const i16 x = held(positive(far)), y = positive(near);
-  const i16 one = static_cast<i16>(y + (y >> 2)), other = static_cast<i16>(static_cast<i16>(2 * x) - third(x));
-  return one < other ? one : other;
-}
-static void pull_axis(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
-  for (uint16_t k = 0; k < n; ++k) {
-    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    out[k] = axis_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
-  }
-}
-static void pull_diagonal(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
-  for (uint16_t k = 0; k < n; ++k) {
-    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    out[k] = diagonal_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
-  }
-}
-static void pull_knight(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
-  for (uint16_t k = 0; k < n; ++k) {
-    const i16 c = high_cos(map[k]), s = high_sin(map[k]);
-    out[k] = knight_of(turned(c, s, m.a, m.b), turned(c, s, m.d, m.e));
-  }
-}
-
-// What a way gets of a stream's direction, in units of kOne.
-static void pull_row(const FluxSet::Stream& s, uint8_t way, const i16* map, i16* out, uint16_t n) {
-  const Mirror m = mirror_of(s, way);
-  if (way < 2) pull_axis(map, out, n, m);
-  else if (way < 4) pull_diagonal(map, out, n, m);
-  else pull_knight(map, out, n, m);
-}
 
 // The same of vectors that are mirrored already.
 static void pull_vectors(uint8_t way, const i16* DAPPLE_RESTRICT x, const i16* DAPPLE_RESTRICT y,
                          i16* DAPPLE_RESTRICT out, uint16_t n) {
-  for (uint16_t k = 0; k < n && way < 2; ++k) out[k] = axis_of(x[k], y[k]);
-  for (uint16_t k = 0; k < n && way >= 2 && way < 4; ++k) out[k] = diagonal_of(x[k], y[k]);
-  for (uint16_t k = 0; k < n && way >= 4; ++k) out[k] = knight_of(x[k], y[k]);
+  for (uint16_t k = 0; k < n && way < 2; ++k) out[k] = half(axis_of(x[k], y[k]));
+  for (uint16_t k = 0; k < n && way >= 2 && way < 4; ++k) out[k] = half(diagonal_of(x[k], y[k]));
+  for (uint16_t k = 0; k < n && way >= 4; ++k) out[k] = half(knight_of(x[k], y[k]));
 }
 
-// The mean of both ends of every link.
+// The pull of every link.
 static void link_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out,
                      uint16_t n) {
-  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] >> 1) + (to[x] >> 1));
+  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>(from[x] + to[x]);
+}
+// What it lacks by its styles, the mean of both ends.
+static void lack_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out,
+                     uint16_t n) {
+  for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>(half(from[x]) + half(to[x]));
 }
 
-static FluxStage stage_of(const Spread& p, uint8_t way, uint8_t stage) {
-  const int32_t stride = stride_of(stage), cap = stride * stride * (p.unit / 2);
-  uint8_t shift = 0;
-  while ((cap << shift) < 16384) ++shift;
-  const int32_t mean = way < 2 ? p.mean : INT32_C(0), before = share_before(p, stage);
-  return {static_cast<i16>(slope_of(p, way) * 65536 / kOne),
-          static_cast<i16>(mean - before),
-          static_cast<i16>(cap),
-          static_cast<i16>(base::min((INT32_C(1) << 29) / (cap << shift), 32767)),
-          static_cast<i16>(mean),
-          static_cast<i16>(before),
-          shift};
-}
-
-// What a link carries: floor(weight * (to - from) / 2^16 + 1/2), in 16 bits throughout: |2 (to - from)| <= 32000, and
-// floor((floor(2 a) + 1) / 2) = floor(a + 1/2). (The loops stay functions of their own: where a compiler sees that the
-// factor is positive it multiplies in 32 bits.)
-static inline i16 carried_of(i16 q, i16 from, i16 to, FluxStage s) {
-  const i16 t = positive(q < s.cap ? q : s.cap);
-  const i16 weight = static_cast<i16>(2 * mulhi(static_cast<i16>(static_cast<uint16_t>(t) << s.shift), s.factor));
-  const i16 d = static_cast<i16>(to - from);
-  return static_cast<i16>((mulhi(static_cast<i16>(2 * d), weight) + 1) >> 1);
-}
-static inline i16 carried(i16 link, i16 from, i16 to, FluxStage s) {
-  return carried_of(static_cast<i16>(mulhi(link, s.slope) + s.offset), from, to, s);
-}
 // Where styles shorten the wavelength the share is less by its lack, Q15: q (1 - lack).
 static inline i16 carried_less(i16 link, i16 lack, i16 from, i16 to, FluxStage s) {
   const i16 q = static_cast<i16>(mulhi(link, s.slope) + s.mean);
@@ -137,16 +43,18 @@ static void mean_row(const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT
                      uint16_t n) {
   for (uint16_t x = 0; x < n; ++x) out[x] = static_cast<i16>((from[x] + to[x]) >> 1);
 }
-DAPPLE_APART static void carry_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
-                                   const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT flux, uint16_t n, FluxStage s) {
-  for (uint16_t x = 0; x < n; ++x) flux[x] = carried(link[x], from[x], to[x], s);
+DAPPLE_APART static void carry_row(const i16* DAPPLE_RESTRICT pull, const i16* DAPPLE_RESTRICT pull_to,
+                                   const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
+                                   i16* DAPPLE_RESTRICT flux, uint16_t n, FluxStage s) {
+  for (uint16_t x = 0; x < n; ++x) flux[x] = carried(static_cast<i16>(pull[x] + pull_to[x]), from[x], to[x], s);
 }
 // The same, and what comes of it: plus what comes from ahead, less what went on from behind.
-DAPPLE_APART static void move_row(const i16* DAPPLE_RESTRICT link, const i16* DAPPLE_RESTRICT from,
-                                  const i16* DAPPLE_RESTRICT to, const i16* DAPPLE_RESTRICT behind,
-                                  i16* DAPPLE_RESTRICT flux, i16* DAPPLE_RESTRICT out, uint16_t n, FluxStage s) {
+DAPPLE_APART static void move_row(const i16* DAPPLE_RESTRICT pull, const i16* DAPPLE_RESTRICT pull_to,
+                                  const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT to,
+                                  const i16* DAPPLE_RESTRICT behind, i16* DAPPLE_RESTRICT flux,
+                                  i16* DAPPLE_RESTRICT out, uint16_t n, FluxStage s) {
   for (uint16_t x = 0; x < n; ++x) {
-    const i16 ahead = carried(link[x], from[x], to[x], s);
+    const i16 ahead = carried(static_cast<i16>(pull[x] + pull_to[x]), from[x], to[x], s);
     flux[x] = ahead;
     out[x] = static_cast<i16>(from[x] + ahead - behind[x]);
   }
@@ -258,10 +166,12 @@ static void between(const Pulling& p, uint8_t k) {
   const bool own_means = set.warped && p.way < 2;
   const uint8_t style = static_cast<uint8_t>(3 * (set.planes + set.maps) + k);
   if (set.styled)
-    link_row(grid::in16(*p.rows, style), grid::in16(*p.rows, static_cast<uint8_t>(style + 1)) + p.shift, lack,
+    lack_row(grid::in16(*p.rows, style), grid::in16(*p.rows, static_cast<uint8_t>(style + 1)) + p.shift, lack,
              p.work.n);
   for (uint8_t stream = 0; stream < set.streams; ++stream) {
-    link_row(slot(p.work, pull_slot(stream, here)), slot(p.work, pull_slot(stream, ahead)) + p.shift, link, p.work.n);
+    const i16* const pull = slot(p.work, pull_slot(stream, here));
+    const i16* const pull_to = slot(p.work, pull_slot(stream, ahead)) + p.shift;
+    if (set.styled || own_means) link_row(pull, pull_to, link, p.work.n);
     if (own_means)
       mean_row(slot(p.work, mean_slot(set, stream, here)), slot(p.work, mean_slot(set, stream, ahead)) + p.shift, lack,
                p.work.n);
@@ -276,8 +186,8 @@ static void between(const Pulling& p, uint8_t k) {
       i16* const out = grid::out16(*p.rows, plane);
       if (own_means) work_on(set).carry(link, lack, from, to, flux, p.work.n, stage);
       else if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
-      else if (k == 0) carry_row(link, from, to, flux, p.work.n, stage);
-      else move_row(link, from, to, behind, flux, out, p.work.n, stage);
+      else if (k == 0) carry_row(pull, pull_to, from, to, flux, p.work.n, stage);
+      else move_row(pull, pull_to, from, to, behind, flux, out, p.work.n, stage);
       if ((set.styled || own_means) && k == 1) add_row(from, flux, behind, out, p.work.n);
       wrap(p.work, flux, p.halo);
     }
@@ -312,17 +222,17 @@ static void chain(const FluxSet& set, const FluxWork& w, uint8_t plane, const i1
   for (uint8_t stage = 0; takes(spread, 0, stage); ++stage) {
     const uint16_t stride = stride_of(stage);
     grid::copy_row(Cell::int16, copy, row, w.n, stride);
-    link_row(pull, pull + stride, link, w.n);
+    if (set.styled || set.warped) link_row(pull, pull + stride, link, w.n);
     if (set.warped) {
       i16* const mean = slot(w, map_slot(set, 0));
       mean_row(lack, lack + stride, mean, w.n);
       work_on(set).carry(link, mean, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     } else if (set.styled) {
       i16* const less = slot(w, flux_slot(set, 1, 0));
-      link_row(lack, lack + stride, less, w.n);
+      lack_row(lack, lack + stride, less, w.n);
       carry_less(link, less, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     } else {
-      carry_row(link, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+      carry_row(pull, pull + stride, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     }
     wrap(w, flux, stride);
     add_row(copy, flux, flux - stride, row, w.n);

@@ -127,12 +127,12 @@ struct FluxWork {
 };
 
 // A stage of a plane: with q = mean + slope * lean the share of a link, 1/unit,
-//   t = clamp(q - before, 0, cap);  weight = 2 mulhi(t << shift, factor) <= 16384, Q16.
-// cap << shift is 16384..32767, so that the weight keeps 13 bits.
+//   t = clamp(q - before, 0, cap);  weight = 2 mulhi(t * scale, factor) <= 16384, Q16.
+// scale is a power of two, cap * scale 16384..32767, so that the weight keeps 13 bits.
 struct FluxStage {
   int16_t slope, offset, cap, factor;
   int16_t mean, before;  // offset is mean - before
-  uint8_t shift;
+  int16_t scale;
 };
 
 // What flux rows do on a surface and nowhere else: rows of V; a stream's pulls and means, from the rows of its map and

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../../lib/model/cells.hpp"
+#include "../../lib/stencil/flux.hpp"
 #include "../../lib/stencil/lattice.hpp"
 
 namespace dapple::desktop {
@@ -51,15 +52,91 @@ void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
   }
   const grid::RowKernel chain = grid::choose(run.kernels, stencil::chain_row);
   std::atomic<size_t> next{0};
-  const size_t hands = std::min<size_t>(crew_.size(), run.field.bands);
   crew_.all([&](unsigned hand) {
-    if (hand >= hands) return;
+    if (hand >= hands(run)) return;
     uint8_t* const scratch = run.field.scratch + hand * run.field.band_bytes;
     for (size_t i = next++; i < planes_.size(); i = next++) {
       const evolve::Sweep* const sweep = &sweeps_[planes_[i].first];
       const size_t count = planes_[i].second - planes_[i].first;
       if (count == 1 && sweep->row == chain) chain_alone(run, *sweep, scratch);
       else fused_[hand].run(run.field, {sweep, count, sweep->row == chain, true, run.table, scratch});
+    }
+  });
+}
+
+static const stencil::FluxSet& flux_set(const evolve::Run& run) {
+  return *reinterpret_cast<const stencil::FluxSet*>(run.table);
+}
+
+// The first sweep after those from `from` on that are the passes along one way of a map; `from` if they go by bands.
+size_t Driver::way_from(const evolve::Run& run, size_t from) const {
+  const grid::RowKernel pass = grid::choose(run.kernels, stencil::flux_row),
+                        chain = grid::choose(run.kernels, stencil::flux_chain_row);
+  size_t to = from;
+  for (; to < sweeps_.size(); ++to) {
+    const evolve::Sweep& s = sweeps_[to];
+    if ((s.row != pass && s.row != chain) || s.p[0] != sweeps_[from].p[0]) break;
+    const stencil::FluxSet& set = flux_set(run);
+    if (!set.kept || set.styled || set.warped || hands(run) > 2u * set.planes) return from;
+    if (s.margin != 0 || !Fused::fits(run.field, s)) return from;
+  }
+  return to;
+}
+
+void Driver::make_pulls(const evolve::Run& run, int32_t way, uint16_t halo) {
+  const stencil::FluxSet& set = flux_set(run);
+  const evolve::Field& field = run.field;
+  const Fused::Layout layout = Fused::layout_of(field, halo);
+  const size_t bytes = layout.bytes(size_t{field.height} * set.streams);
+  if (pulls_.size() < bytes) pulls_.resize(bytes);
+  pulled_ = {&set, layout.first(pulls_.data()), layout.pitch, layout.pitch * field.height, field.height};
+  const grid::RowKernel row = grid::choose(run.kernels, stencil::pulled_row);
+  const unsigned parts = hands(run);
+  crew_.all([&](unsigned hand) {
+    grid::Rows call{};
+    call.p = &way;
+    call.table = run.table;
+    call.n = field.width;
+    for (uint32_t y = field.height * hand / parts; hand < parts && y < field.height * (hand + 1) / parts; ++y) {
+      for (uint8_t i = 0; i < set.maps; ++i)
+        call.in[i] = evolve::row_of(field, static_cast<uint8_t>(set.planes + i), static_cast<uint16_t>(y));
+      for (uint8_t i = 0; i < set.streams; ++i) call.out[i] = pulled_.cells + i * pulled_.plane + y * pulled_.pitch;
+      row(call);
+      for (uint8_t i = 0; i < set.streams; ++i) grid::wrap_row(field.cell, call.out[i], field.width, halo);
+    }
+  });
+}
+
+// A plane's passes along a way: the stages that it takes.
+static void passes_of(const evolve::Run& run, uint8_t plane, uint8_t way, std::vector<evolve::Sweep>& passes) {
+  const stencil::Way w = stencil::way_of(way);
+  passes.clear();
+  for (uint8_t stage = 0; stencil::takes(flux_set(run).spread[plane], way, stage); ++stage) {
+    const uint16_t stride = stencil::stride_of(stage);
+    evolve::Sweep s{};
+    s.row = grid::choose(run.kernels, stencil::fluxed_row);
+    s.first = plane;
+    s.count = s.radius = 1;
+    s.stride = static_cast<uint16_t>(stride * w.vy);
+    s.halo = static_cast<uint16_t>(stride * (w.vx < 0 ? -w.vx : w.vx));
+    s.p[0] = way, s.p[1] = stage, s.p[2] = plane;
+    passes.push_back(s);
+  }
+}
+
+// All passes along a map's way, plane by plane: planes meet in nothing but the pulls.
+void Driver::by_way(const evolve::Run& run, const evolve::Sweep& sweep) {
+  const stencil::FluxSet& set = flux_set(run);
+  make_pulls(run, sweep.p[0], set.halo);
+  std::atomic<unsigned> next{0};
+  crew_.all([&](unsigned hand) {
+    if (hand >= hands(run)) return;
+    std::vector<evolve::Sweep> passes;
+    for (unsigned plane = next++; plane < set.planes; plane = next++) {
+      passes_of(run, static_cast<uint8_t>(plane), static_cast<uint8_t>(sweep.p[0]), passes);
+      if (passes.empty()) continue;
+      const auto table = reinterpret_cast<const int32_t*>(&pulled_);
+      fused_[hand].run(run.field, {passes.data(), passes.size(), false, true, table, nullptr, set.halo});
     }
   });
 }
@@ -112,10 +189,11 @@ uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
     done += run.field.height - 2u * run.sweep.margin;
   }
   for (size_t i = 0; i < sweeps_.size();) {
-    const size_t end = passes_from(run, i);
-    if (end > i) by_plane(run, i, end);
+    const size_t passes = passes_from(run, i), way = way_from(run, i);
+    if (passes > i) by_plane(run, i, passes);
+    else if (way > i) by_way(run, sweeps_[i]);
     else by_bands(run, sweeps_[i]);
-    i = end > i ? end : i + 1;
+    i = std::max({passes, way, i + 1});
   }
   return done;
 }

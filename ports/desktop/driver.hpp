@@ -10,6 +10,7 @@
 #pragma once
 #include "../../lib/evolve/run.hpp"
 #include "crew.hpp"
+#include "fluxed.hpp"
 #include "fused.hpp"
 
 namespace dapple::desktop {
@@ -21,14 +22,23 @@ class Driver : public evolve::Driver {
  private:
   uint32_t whole_step(evolve::Run& run, uint32_t rows);
   uint32_t many_steps(evolve::Run& run, uint32_t rows);
+  // Threads there is scratch memory for.
+  unsigned hands(const evolve::Run& run) const {
+    return crew_.size() < run.field.bands ? crew_.size() : run.field.bands;
+  }
   size_t passes_from(const evolve::Run& run, size_t at) const;
   void by_plane(const evolve::Run& run, size_t from, size_t to);
+  size_t way_from(const evolve::Run& run, size_t from) const;
+  void make_pulls(const evolve::Run& run, int32_t way, uint16_t halo);
+  void by_way(const evolve::Run& run, const evolve::Sweep& sweep);
   void by_bands(const evolve::Run& run, const evolve::Sweep& sweep);
 
   Crew crew_;
   std::vector<Fused> fused_;           // of each thread
   std::vector<evolve::Sweep> sweeps_;  // of the step
   std::vector<std::pair<size_t, size_t>> planes_;
+  stencil::Pulled pulled_{};
+  std::vector<uint8_t> pulls_;
 };
 
 }  // namespace dapple::desktop

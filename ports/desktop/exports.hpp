@@ -1,4 +1,4 @@
-// The row kernels of lib/ that every set has a faster one for: ROW(set, namespace, portable kernel, the set's own).
+// The row kernels of lib/, and of fluxed.hpp, that every set has a faster one for: ROW(set, namespace, portable kernel, the set's own).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,6 +11,8 @@
   ROW(set, stencil, flux_row, flux_row)                       \
   ROW(set, stencil, flux_chain_row, flux_chain_row)           \
   ROW(set, stencil, keep_map_row, keep_map_row)               \
+  ROW(set, stencil, pulled_row, pulled_row)                   \
+  ROW(set, stencil, fluxed_row, fluxed_row)                   \
   ROW(set, stencil, convolve_row, convolve_wide)              \
   ROW(set, stencil, field_row, field_wide)                    \
   ROW(set, stencil, steer_row, steer_wide)                    \

@@ -14,24 +14,33 @@ constexpr uint32_t kRowsAtOnce = 8;
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
 
-// Rows follow each other with room for the halos of two between them.
-void Fused::lay_out(const evolve::Field& field, const Work& work) {
-  uint16_t halo = 0;
-  for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
+Fused::Layout Fused::layout_of(const evolve::Field& field, uint16_t halo) {
   const size_t halo_bytes = (grid::halo_bytes(field.cell, halo) + kGroup - 1) / kGroup * kGroup;
-  const size_t before = rounded_up(halo_bytes + 1);
   const size_t row =
       field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
-  pitch_ = row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row);  // short rows: rather no gaps than aligned
+  // Short rows: rather no gaps than aligned.
+  return {rounded_up(halo_bytes + 1), row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row)};
+}
+
+size_t Fused::Layout::bytes(size_t rows) const { return rounded_up(before + pitch * rows + kBeyond) + kVector; }
+uint8_t* Fused::Layout::first(uint8_t* memory) const {
+  return memory + (-reinterpret_cast<uintptr_t>(memory) & (kVector - 1)) + before;
+}
+
+void Fused::lay_out(const evolve::Field& field, const Work& work) {
+  uint16_t halo = work.halo;
+  for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
+  const Layout layout = layout_of(field, halo);
+  pitch_ = layout.pitch;
   plane_ = pitch_ * field.height;
-  const size_t buffer = before + plane_ * work.sweep[0].count + kBeyond, wanted = 2 * rounded_up(buffer) + kVector;
+  const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
     std::memset(memory_.get(), 0, wanted);
     bytes_ = wanted;
   }
-  buffer_[0] = memory_.get() + (-reinterpret_cast<uintptr_t>(memory_.get()) & (kVector - 1)) + before;
-  buffer_[1] = buffer_[0] + rounded_up(buffer);
+  buffer_[0] = layout.first(memory_.get());
+  buffer_[1] = buffer_[0] + buffer;
 }
 
 // Rows from y on that a kernel may be given at once: they, and those around them, do not go round the torus.

@@ -25,8 +25,18 @@ class Fused {
     bool rows;   // kernels may be given several rows as one, with what lies between them
     const int32_t* table;
     uint8_t* scratch;
+    uint16_t halo = 0;  // cells there is room for beside a row, or as many as the sweeps want
   };
   void run(const evolve::Field& field, const Work& work);
+
+  // Rows in memory, with room for two halos between them.
+  struct Layout {
+    size_t before;  // bytes before the first cell of the first row
+    size_t pitch;
+    size_t bytes(size_t rows) const;
+    uint8_t* first(uint8_t* memory) const;  // cell, in memory of so many bytes
+  };
+  static Layout layout_of(const evolve::Field& field, uint16_t halo);
 
   // Whether there are rows enough for the sweep to go round.
   static bool fits(const evolve::Field& field, const evolve::Sweep& s) {

@@ -39,6 +39,7 @@ DAPPLE_ROWS(DECLARED, DAPPLE_SET)
 #define DAPPLE_OURS(set, kernel) DAPPLE_NAMED(set, kernel)
 
 #include "bits.hpp"
+#include "flux_rows.hpp"
 #include "kinetics.hpp"
 #include "roots.hpp"
 #include "painted.hpp"

@@ -3,6 +3,7 @@
 #include "tables.hpp"
 
 #include "exports.hpp"
+#include "fluxed.hpp"
 
 #include "../../lib/evolve/solver.hpp"
 #include "../../lib/model/cells.hpp"

@@ -13,7 +13,19 @@ const dapple = {
   async load(module) {
     const bytes = typeof module === "string" ? Uint8Array.from(atob(module), (c) => c.charCodeAt(0)) : module;
     const compiled = await WebAssembly.compile(bytes);
-    return () => new dapple.Desk(new WebAssembly.Instance(compiled, {}).exports);
+    const make = (presets) => new dapple.Desk(new WebAssembly.Instance(compiled, {}).exports, presets);
+    const presets = await dapple.unpacked(make([]).packed());
+    return () => make(presets);
+  },
+
+  // The presets out of their gzip stream.
+  async unpacked(bytes) {
+    const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+    const part = text.split("\0"), count = Math.floor(part.length / 3);
+    return Array.from({ length: count }, (_, i) => {
+      const [name, sentence, line] = part.slice(3 * i, 3 * i + 3);
+      return { name: name.replace(/_/g, "-"), sentence, line };
+    });
   },
 
   // FNV-1a, 64 bit, as hexadecimal digits.
@@ -25,8 +37,9 @@ const dapple = {
 };
 
 dapple.Desk = class {
-  constructor(exports) {
+  constructor(exports, presets) {
     this.exports = exports;
+    this.presets = presets;
     const after = (at, bytes) => (at + bytes + 15) & ~15;
     this.recipe = exports.heap();
     this.texture = after(this.recipe, exports.recipe_bytes());
@@ -75,9 +88,9 @@ dapple.Desk = class {
     return { name, kind: dapple.kinds[kind], low, high, standard, words: list, unit: this.text(unit) };
   }
 
-  presets() {
-    const part = (k) => this.list((i) => this.exports.preset(i, k)), sentences = part(1), lines = part(2);
-    return part(0).map((name, i) => ({ name: name.replace(/_/g, "-"), sentence: sentences[i], line: lines[i] }));
+  packed() {
+    const place = this.exports.presets(), [length] = this.told(1);
+    return this.bytes(place, length);
   }
   ramps() { return this.list(this.exports.ramp); }
 

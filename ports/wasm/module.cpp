@@ -5,13 +5,14 @@
 // SPDX-License-Identifier: MIT
 #include "dapple.hpp"
 #include "recipe/text.hpp"
-#include "texts.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
 
 namespace {
 
 using namespace dapple;
+
+#include "presets_packed.hpp"
 
 constexpr int32_t kTextBytes = recipe::kMaxText;  // the longest line and its zero
 constexpr int32_t kLongestSide = 65535;
@@ -44,8 +45,13 @@ EXPORT(limits)() -> void {
 EXPORT(recipe_bytes)() -> int32_t { return sizeof(Recipe); }
 EXPORT(texture_bytes)() -> int32_t { return sizeof(Texture); }
 
-// Lists, each ended by 0. Of a preset: part 0 name (an underscore is a hyphen), 1 sentence, 2 recipe line, each in text().
-EXPORT(preset)(int32_t index, int32_t part) -> const char* { return texts::unpack(3 * index + part, text_buffer) ? text_buffer : nullptr; }
+// The presets in gzip's format [RFC 1952]: of each its name (an underscore is a hyphen), sentence and recipe line, ended by zeros.
+// Told: bytes.
+EXPORT(presets)() -> const uint8_t* {
+  told_numbers[0] = sizeof kPresets;
+  return kPresets;
+}
+// Lists, each ended by 0.
 EXPORT(ramp)(int32_t index) -> const char* { return index < kRampCount ? recipe::ramps[index].name : nullptr; }
 // A family's name; told: the steps it takes by itself.
 EXPORT(family)(int32_t index) -> const char* {

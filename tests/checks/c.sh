@@ -8,7 +8,7 @@ need gcc g++ clang clang++ llvm-nm llvm-size ld.lld
 port=$root/ports/c
 c_flags="-std=c99 -Wall -Wextra -pedantic -Werror -I$port"
 cpp_flags="-std=c++17 -Wall -Wextra -Werror -fno-exceptions -fno-rtti -I$root/lib -I$port"
-helpers='mem(cpy|set)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv(mod)?|u?ldivmod|lmul|llsl|llsr)'
+helpers='mem(cpy|set)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv(mod)?|u?ldivmod|lmul|llsl|llsr|lasr)'
 bare="--target=thumbv6m-none-eabi -mcpu=cortex-m0 -mfloat-abi=soft -ffreestanding -Os"
 sanitize="-g -fsanitize=address,undefined -fno-sanitize=function,vptr -fno-sanitize-recover=all"  # those two: C++ only
 

@@ -25,7 +25,7 @@ compare() {
   local name=$1 compiler=$2 runner=$3
   shift 3
   $compiler -std=c++17 -O1 "$@" -DDAPPLE_TABLE="\"$name\"" -I"$root/lib" -I"$desktop" "$root/tests/checks/small_goldens.cpp" \
-    "$root/lib/one.cpp" "$desktop/tables.cpp" -o "$scratch/$name" || { fail "$name: does not compile"; return; }
+    "$root/lib/one.cpp" "$desktop/tables.cpp" "$desktop/fluxed.cpp" -o "$scratch/$name" || { fail "$name: does not compile"; return; }
   $runner "$scratch/$name" > "$scratch/$name.txt" 2> "$scratch/$name.err" || fail "$name: $(head -20 "$scratch/$name.err")"
   cmp -s "$scratch/$name.txt" "$root/tests/golden/small.txt" ||
     fail "$name: $(diff "$scratch/$name.txt" "$root/tests/golden/small.txt" | head -4)"

@@ -17,7 +17,7 @@ build=$(cd "${1:-$root/build}" && pwd)
 families=$(grep -c '&[a-z_]*_model, [a-z_]*::numbers' "$root/lib/recipe/recipe.hpp")
 bytes=$(wc -c < "$build/wasm/dapple.wasm") most=$(((48 + 8 * (families - 5)) * 1024))
 echo "$bytes of at most $most bytes for $families families"
-[ "$families" -ge 6 ] && [ "$bytes" -le "$most" ] || fail "the module has $bytes bytes; $most are the most for $families families"
+[ "$families" -ge 12 ] && [ "$bytes" -le "$most" ] || fail "the module has $bytes bytes; $most are the most for $families families"
 
 if [ ! -d "$build/playwright/node_modules/playwright-core" ]; then
   npm install --prefer-offline --silent --no-audit --no-fund --prefix "$build/playwright" playwright-core@1.65.1 > "$scratch/npm" 2>&1 ||

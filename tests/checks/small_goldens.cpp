@@ -111,10 +111,10 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
   for (const Way& way : kWays) {
     Tile tile(recipe, domain, way);
     if (!tile.grown) return false;
-    const bool first = &way == kWays;
-    if (!first && (field != tile.field_hash() || pixels != tile.pixels_hash())) return false;
-    field = tile.field_hash();
-    pixels = tile.pixels_hash();
+    const uint64_t field_now = tile.field_hash(), pixels_now = tile.pixels_hash();
+    if (&way != kWays && (field != field_now || pixels != pixels_now)) return false;
+    field = field_now;
+    pixels = pixels_now;
   }
   std::printf("%s %ux%u %u %u %08lx%08lx %08lx%08lx\n", name.c_str(), unsigned(domain.width), unsigned(domain.height),
               unsigned(recipe.stage[recipe.stages - 1].steps), unsigned(kSeed), static_cast<unsigned long>(field >> 32),
@@ -123,10 +123,11 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
   return true;
 }
 
-// Images for what takes them: 3 x 2 directions and styles. Beside them every recipe gets a surface.
+// Images for what takes them: 3 x 2 directions, styles and greys. Beside them every recipe gets a surface.
 constexpr int8_t kPairs[] = {127, 0, 0, 127, -127, 0, 90, 90, -20, 10, 0, -127};
 constexpr uint8_t kStyles[] = {255, 128, 255, 200, 140, 255, 90, 120, 128, 255, 0, 0, 64, 255, 255, 160, 128, 10};
-constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}};
+constexpr uint8_t kGreys[] = {0, 255, 90, 33, 180, 128};
+constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}, nullptr, {kGreys, 3, 2}};
 
 // The smallest torus, a window where the halo is not too wide, and both coarse to fine by the explicit solver where there
 // is one. Returns how many were wrong.
@@ -139,8 +140,8 @@ int try_all(const std::string& name, const dapple::Recipe& whole) {
     dapple::Trouble trouble{};
     if (*changes != 0 && dapple::parse(changes, changed, trouble) != dapple::ok) continue;
     const dapple::Domain torus = smallest(changed);
-    dapple::Surface surface = dapple::torus_surface(torus.width, torus.height, 400000);
-    while (torus.width > 0 && measure(surface, 5) == dapple::more) {}
+    dapple::Surface surface{};
+    if (torus.width > 0) surface = tests::measured(dapple::torus_surface(torus.width, torus.height, 400000));
     dapple::PlaceMaps images = kImages;
     images.surface = &surface;
     dapple::set_maps(changed, images);

@@ -15,7 +15,7 @@ test_words() {
   equal "no arguments: exit code" $? 2
   equal "no arguments: stdout" "$(cat "$folder/out")" ""
   check "no arguments: usage on stderr" grep -q '^usage: dapple' "$folder/err"
-  for command in "" list grow info sheet stream rule tiles surface; do
+  for command in "" list grow info sheet stream rule tiles surface bench; do
     # shellcheck disable=SC2086
     run $command --help > "$folder/help" 2> "$folder/err"
     equal "$command --help: exit code" $? 0
@@ -76,7 +76,10 @@ test_bytes() {
   equal "--threads 64 --budget 3" "$(hash_of coral --size 64x48 --seed 0x7 --threads 64 --budget 3)" "$whole"
   equal "--kernels portable" "$(hash_of coral --size 64x48 --seed 7 --kernels portable)" "$whole"
   equal "--threads 2, whole steps" "$(hash_of coral --size 64x48 --seed 7 --threads 2 --budget 4000000)" "$whole"
-  check "bench compares tables" grep -q '"kernels": "portable"' <("$dapple" bench "cell program 512" --json)
+  "$dapple" bench "cell program 512" --json > "$folder/bench"
+  check "bench times the portable table" grep -q '"kernels": "portable"' "$folder/bench"
+  equal "bench: all tables have the same hash" "$(grep -o '"hash": "[0-9a-f]*"' "$folder/bench" | sort -u | wc -l)" 1
+  [ "$(uname -m)" != x86_64 ] || check "bench times the table of every x86-64" grep -q '"kernels": "sse2"' "$folder/bench"
   equal "the last word wins" "$(hash_of coral --seed 9 --size 64x48 --kernels best --seed 7)" "$whole"
   equal "key=value" "$(hash_of zebra scale=1.9 rho=0.02 --size 64)" "$(hash_of zebra 'rho=0.02 scale=1.9' --size 64)"
   equal "family alone" "$(hash_of threshold pairs=2 --size 64)" "$(hash_of 'threshold pairs=2' --size 64)"

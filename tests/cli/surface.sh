@@ -95,6 +95,7 @@ test_refusals() {
   refused 2 "too small" -- surface sphere giraffe --size 8
   refused 2 "--ratio '1'" ".01 to .95" -- surface torus zebra --ratio 1
   refused 2 "surface flat" -- surface torus zebra --heights x.pgm
+  refused 2 "sides= is not for bits, flow and cells" -- grow zebra-bits sides=closed
   refused 2 "sides= is not for a torus" -- surface torus zebra sides=closed
   refused 2 "sides repeat in pairs" -- grow zebra sides=closed,repeat,closed,closed
   refused 2 "no sides" -- grow zebra sides=closed --at 0,0

@@ -53,7 +53,8 @@ test_refusals() {
   refused 2 "zebra-bits" "endless plane" -- zebra-bits -o set
   refused 2 "fingerprint" "endless plane" -- fingerprint -o set
   refused 2 "cells" "texture" "endless plane" -- "cells rule=3" -o set
-  refused 2 "turing" "threshold family and Gray-Scott" -- turing -o set
+  refused 2 "texture" "threshold family and Gray-Scott" -- turing -o set
+  refused 2 "leopard" "threshold family and Gray-Scott" -- leopard -o set
   refused 2 "map" "differs from tile to tile" -- "mapped map=swirl" -o set
   refused 2 "steps" -- zebra steps=0 -o set
   refused 2 "--size 50 is too small" zebra "at least 51" -- zebra --size 50 -o set

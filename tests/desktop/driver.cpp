@@ -8,18 +8,28 @@ namespace desktop = dapple::desktop;
 
 namespace {
 
-uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
-                 uint32_t budget) {
-  tests::Grown tile(recipe, domain, 5, budget, options);
-  REQUIRE(tile.status == dapple::ok);
-  return tile.field_hash();
-}
+// Counts the steps that the driver was asked for, and those it did.
+struct Counted : dapple::evolve::Driver {
+  explicit Counted(unsigned threads)
+      : dapple::evolve::Driver{[](dapple::evolve::Driver& self, dapple::evolve::Run& run, uint32_t rows) {
+          Counted& c = static_cast<Counted&>(self);
+          const uint32_t done = c.driver.step(c.driver, run, rows);
+          ++c.asked;
+          c.done += done > 0;
+          return done;
+        }},
+        driver(threads) {}
 
+  desktop::Driver driver;
+  uint32_t asked = 0, done = 0;
+};
+
+constexpr uint32_t kSeed = 5;
 }  // namespace
 
-TEST_CASE("driver: every preset has its goldens on 1, 2, 3 and 8 threads") {
+TEST_CASE("driver: every preset has its goldens on 1 and 2 threads, those of up to 500 steps on 3 and 8 too") {
   for (const unsigned threads : {1u, 2u, 3u, 8u}) {
-    desktop::Driver driver(threads);
+    Counted driver(threads);
     for (const tests::Golden& g : tests::read_goldens()) {
       const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
       if (threads > 2 && recipe.stage[0].steps > 500) continue;  // thousands of steps of more threads than processors
@@ -28,10 +38,13 @@ TEST_CASE("driver: every preset has its goldens on 1, 2, 3 and 8 threads") {
       options.bands = static_cast<uint8_t>(threads);
       options.driver = &driver;
       options.kernels = desktop::best_table().kernels;
+      driver.asked = driver.done = 0;
       tests::Grown tile(recipe, domain, g.seed, UINT32_MAX, options);
       REQUIRE(tile.status == dapple::ok);
       CAPTURE(threads);
       CAPTURE(std::string(g.name));
+      CHECK(driver.asked > 0);
+      CHECK(driver.done == driver.asked);
       CHECK(tile.field_hash() == g.field);
     }
   }
@@ -44,7 +57,9 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
                                  "threshold pairs=3 scale=3 stretch=3 angles=0,60,120 steps=3",
                                  "threshold scale=4 diffusion=isotropic steps=4",
                                  "threshold scale=3 stretch=5 angle=90 steps=3",
-                                 "threshold scale=3 stretch=5 angle=0 steps=3"};
+                                 "threshold scale=3 stretch=5 angle=0 steps=3",
+                                 "mapped map=swirl scale=1.8 stretch=2 steps=2",
+                                 "mapped pairs=2 map=two-angle scale=3 ratio=1.7 stretch=4 steps=2"};
   for (const char* text : recipes) {
     const dapple::Recipe recipe = tests::recipe_of(text);
     for (const tests::Size size :
@@ -53,14 +68,15 @@ TEST_CASE("driver: passes that reach round the torus, wide rows, few rows, budge
       if (dapple::need_for(recipe, domain).status != dapple::ok) continue;
       CAPTURE(std::string(text));
       CAPTURE(size.width);
-      const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+      const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+      REQUIRE(want != 0);
       dapple::Options options;
       options.bands = 2;
       options.driver = &driver;
       for (const uint32_t budget : {UINT32_MAX, 100000u, 7000u})
-        CHECK(hash_of(recipe, domain, options, budget) == want);
+        CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
       options.kernels = desktop::best_table().kernels;
-      CHECK(hash_of(recipe, domain, options, UINT32_MAX) == want);
+      CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);
     }
   }
 }
@@ -74,13 +90,15 @@ TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
       const dapple::Domain domain = dapple::torus(size.width, size.height);
       CAPTURE(std::string(text));
       CAPTURE(size.width);
-      const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+      const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+      REQUIRE(want != 0);
       for (uint8_t i = 0; i < desktop::table_count(); ++i) {
         if (!desktop::table_at(i).runs()) continue;
         dapple::Options options;
         options.kernels = desktop::table_at(i).kernels;
         options.driver = &driver;
-        for (const uint32_t budget : {UINT32_MAX, 1000u, 50u}) CHECK(hash_of(recipe, domain, options, budget) == want);
+        for (const uint32_t budget : {UINT32_MAX, 1000u, 50u})
+          CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
       }
     }
   }
@@ -109,6 +127,8 @@ TEST_CASE("driver: windows, in blocks too") {
     const dapple::Recipe recipe = dapple::load(*dapple::find_preset(name));
     const dapple::Domain domain = dapple::window(-70, 1000, 90, 60);
     CAPTURE(std::string(name));
-    CHECK(hash_of(recipe, domain, options, UINT32_MAX) == hash_of(recipe, domain, dapple::Options{}, UINT32_MAX));
+    const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+    REQUIRE(want != 0);
+    CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);
   }
 }

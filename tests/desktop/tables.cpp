@@ -20,13 +20,17 @@ void each_table(const Work& work) {
   }
 }
 
-uint64_t hash_of(const dapple::Recipe& recipe, const dapple::Domain& domain, const dapple::Options& options,
-                 uint32_t budget) {
-  tests::Grown tile(recipe, domain, 11, budget, options);
-  REQUIRE(tile.status == dapple::ok);
-  return tile.field_hash();
+#ifdef __x86_64__
+// What Linux says of the processor; nothing elsewhere.
+std::string processor_flags() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("flags", 0) == 0) return line + " ";
+  return "";
 }
+#endif
 
+constexpr uint32_t kSeed = 11;
 constexpr const char* kRecipes[] = {
     "bits masks=1 level=0 steps=6",
     "bits masks=1 diffusion=isotropic level=0 window=5 rho=0.2 steps=5",
@@ -49,6 +53,21 @@ TEST_CASE("desktop: the first table is the portable one, the best one runs, name
   CHECK(desktop::table_named("sse") == nullptr);
   CHECK(desktop::table_named("") == nullptr);
 }
+
+#ifdef __x86_64__
+TEST_CASE("desktop: on x86-64 there are three tables, and AVX2's runs where the processor has what it takes") {
+  CHECK(desktop::table_count() == 3);
+  REQUIRE(desktop::table_named("sse2") != nullptr);
+  REQUIRE(desktop::table_named("avx2") != nullptr);
+  CHECK(desktop::table_named("sse2")->runs());
+  const std::string flags = processor_flags();
+  if (flags.empty()) return;
+  bool all = true;
+  for (const char* flag : {" avx2 ", " bmi1 ", " bmi2 ", " fma "}) all = all && flags.find(flag) != std::string::npos;
+  CHECK(desktop::table_named("avx2")->runs() == all);
+  CHECK(std::string(desktop::best_table().name) == (all ? "avx2" : "sse2"));
+}
+#endif
 
 TEST_CASE("desktop: every table has the goldens") {
   const std::vector<tests::Golden> goldens = tests::read_goldens();
@@ -88,12 +107,13 @@ TEST_CASE("desktop: one-bit cells on tori and windows of any width, bands, budge
       for (uint16_t width = 60; width < 620; width = static_cast<uint16_t>(width * 9 / 7)) {
         CAPTURE(width);
         for (const dapple::Domain& domain : {dapple::torus(width, 67), dapple::window(3 * width, -500, width, 40)}) {
-          const uint64_t want = hash_of(recipe, domain, dapple::Options{}, UINT32_MAX);
+          const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+          REQUIRE(want != 0);
           dapple::Options options;
           options.kernels = table.kernels;
-          CHECK(hash_of(recipe, domain, options, UINT32_MAX) == want);
+          CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);
           options.bands = 3;
-          CHECK(hash_of(recipe, domain, options, 17) == want);
+          CHECK(tests::field_hash_of(recipe, domain, kSeed, options, 17) == want);
         }
       }
     }

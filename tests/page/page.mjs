@@ -185,7 +185,7 @@ await settled(page);
 
 // The numbers: a control for each of every family, and each regrows the picture.
 const families = await page.evaluate(() => window.page.trial.families);
-check(families.length >= 5, "families: " + families.map((f) => f.name));
+check(families.length >= 12, "families: " + families.map((f) => f.name));
 for (const family of families) {
   await page.selectOption("#n-family", family.name);
   await page.waitForFunction((name) => window.page.setup.recipe === name, family.name);

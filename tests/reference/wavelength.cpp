@@ -69,7 +69,7 @@ Spectrum mean_of(const Recipe& recipe, int side, double along) {
 
 // The wavelengths parse accepts after these changes, in pixels, from its refusal of one that is too short.
 static std::pair<double, double> range_of(const char* preset, const std::string& changes) {
-  Recipe recipe = dapple::load(*dapple::find_preset(preset));
+  Recipe recipe = tests::preset(preset);
   dapple::Trouble trouble{};
   REQUIRE(dapple::parse((changes + " wavelength=1").c_str(), recipe, trouble) == dapple::out_of_range);
   return {trouble.low / 1e6, trouble.high / 1e6};
@@ -166,7 +166,7 @@ TEST_CASE("wavelength: presets against their prototypes") {
       {"reptile-bits", 21.0, .06},  {"giraffe-bits", 23.0, .11},    {"brain", 31.0, .06},
   };
   for (const Prototype& p : prototypes) {
-    const double pixels = mean_of(dapple::load(*dapple::find_preset(p.name)), 512, 0).wavelength;
+    const double pixels = mean_of(tests::preset(p.name), 512, 0).wavelength;
     std::printf("%-17s %5.2f px  %5.1f  %+5.1f %%\n", p.name, pixels, p.pixels, 100 * (pixels / p.pixels - 1));
     INFO(std::string(p.name));
     CHECK(std::fabs(pixels / p.pixels - 1) <= p.share);

@@ -171,27 +171,33 @@ void print_presets(const Options& options, bool wanted_all) {
   }
 }
 
+// The work that has one of the words in its name; all of it if there are none.
+std::vector<Work> wanted_work(const std::vector<std::string>& words) {
+  std::vector<Work> wanted;
+  for (const Work& work : all_work()) {
+    const auto named = [&](const std::string& word) { return work.name.find(word) != std::string::npos; };
+    if (words.empty() || std::any_of(words.begin(), words.end(), named)) wanted.push_back(work);
+  }
+  return wanted;
+}
+
 }  // namespace
 
 void bench(const Options& options) {
   const std::vector<std::string> tables = kernel_names();
+  const std::vector<Work> wanted = wanted_work(options.wanted);
   const bool all = options.wanted.empty();
-  std::vector<Row> rows;
-  bool found = false;
+  const auto is_preset = [](const std::string& word) { return dapple::find_preset(word.c_str()) != nullptr; };
+  const bool presets = all ? options.markdown : std::any_of(options.wanted.begin(), options.wanted.end(), is_preset);
+  if (wanted.empty() && !presets) refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
   if (!options.json) print_limits(tables, limits_of_all(tables), options.markdown);
-  for (const Work& work : all_work()) {
-    const auto named = [&](const std::string& word) { return work.name.find(word) != std::string::npos; };
-    if (!all && std::none_of(options.wanted.begin(), options.wanted.end(), named)) continue;
-    if (!found && !options.json) print_head(options.markdown);
-    found = true;
+  if (!wanted.empty() && !options.json) print_head(options.markdown);
+  std::vector<Row> rows;
+  for (const Work& work : wanted)
     for (const Row& row : rows_of(work, tables)) {
       if (!options.json) print_line(cells_of(row), options.markdown);
       rows.push_back(row);
     }
-  }
-  const auto is_preset = [](const std::string& word) { return dapple::find_preset(word.c_str()) != nullptr; };
-  const bool presets = all ? options.markdown : std::any_of(options.wanted.begin(), options.wanted.end(), is_preset);
-  if (!found && !presets) refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
   if (options.json) print_json(rows);
   else if (presets) print_presets(options, all);
   finish_standard_output();

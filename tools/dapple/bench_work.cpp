@@ -110,11 +110,14 @@ struct Grower {
   }
 };
 
-// Steps of a texture, its start left out.
+// Steps of a texture, its start left out; of mapped ones sweeps, each over all planes.
 Work steps(const std::string& name, const std::string& recipe, const std::string& changes, uint16_t side, double bytes,
            double aligned = 0, double askew = 0, double operations = 0) {
   const Recipe r = recipe_of(recipe, changes);
-  return {name, "Gcell/s", 1.0 * steps_of(r) * side * side, bytes, aligned, askew, operations, [=](Kernels kernels) {
+  const dapple::Stage& s = r.stage[0];
+  const bool mapped = s.model == &dapple::mapped_model;
+  const double sweeps = mapped ? s.solver->reach(*s.model, s.number, s.level, s.stored).sweeps : 1;
+  return {name, mapped ? "Gcell-sweep/s" : "Gcell/s", sweeps * steps_of(r) * side * side, bytes, aligned, askew, operations, [=](Kernels kernels) {
             const auto grower = std::make_shared<Grower>(r, dapple::torus(side, side), kernels);
             return [grower]() -> Done {
               grower->begin();

@@ -255,7 +255,7 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
     case dapple::too_far:
       fail_for_place(domain);
     case dapple::bad_sides:
-      refuse("sides= is for the families threshold, mapped and gray-scott, but not for solver=styled");
+      refuse("sides= is not for bits, flow and cells, nor for solver=styled");
     case dapple::bad_surface:
       refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:

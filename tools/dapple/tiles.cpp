@@ -21,6 +21,9 @@ constexpr uint16_t kFloor = 8;  // tiles of the preview, either way
     if (recipe.stage[i].model->cell == dapple::grid::Cell::bit)
       refuse(no + "cells of one bit have the endless plane (dapple grow --at X,Y, dapple stream)");
     if (recipe.stage[i].steps == 0) refuse(no + "every stage must have steps");
+    if (recipe.stage[i].model->cell != dapple::grid::Cell::int16 ||
+        recipe.stage[i].solver->sharing == dapple::evolve::Sharing::none)
+      refuse(no + "they are for the threshold family and Gray-Scott");
   }
   refuse(no + "a map says where in the tile a direction is, which differs from tile to tile");
 }
