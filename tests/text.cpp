@@ -179,3 +179,14 @@ TEST_CASE("text: write never runs past its buffer") {
     for (size_t i = size; i < text.size(); ++i) CHECK(text[i] == '#');
   }
 }
+
+TEST_CASE("text: a list of families of one's own knows no others") {
+  const dapple::recipe::Families known = {dapple::recipe::families + 2, 1};
+  REQUIRE(std::string(known.first->name) == "gray-scott");
+  dapple::Recipe recipe{};
+  dapple::Trouble trouble{};
+  CHECK(dapple::recipe::read("gray-scott feed=0.03", recipe, trouble, known) == dapple::ok);
+  CHECK(dapple::recipe::read("kill=0.06", recipe, trouble, known) == dapple::ok);
+  CHECK(recipe.stage[0].number[1] == 60000);
+  CHECK(dapple::recipe::read("bits", recipe, trouble, known) == dapple::unknown_word);
+}

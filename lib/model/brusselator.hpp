@@ -37,7 +37,8 @@ inline constexpr Number numbers[] = {
             "diffusion of v beside that of u; 0 spirals, 1 domains, 5 domains fringed by spots"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(ranges.range, slots, number); }
 
 // u0 = c, v0 = d / c, .8 either way: by phases that is a circle. Discs hold twice the u.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {

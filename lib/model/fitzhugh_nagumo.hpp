@@ -34,7 +34,8 @@ inline constexpr Number numbers[] = {
     decimal("reach", 200000, 8000000, 2000000, "Db at scale 1"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(ranges.range, slots, number); }
 
 // The middle state a - a^3 - (a - s0) / s1 = 0, by a = (a^3 - s0 / s1) / (1 - 1 / s1) from 0 on, within +-1/2; b = (a -
 // s0) / s1.

@@ -61,10 +61,22 @@ inline constexpr Number stretch_number =
 inline constexpr Number angle_number =
     decimal("angle", -kTurn, kTurn, 0, "degrees from x towards y (down), along the stretch");
 
-// Every decimal number and word of a table within its range.
-constexpr bool in_range(const Number* numbers, uint8_t count, const int32_t* number) {
+// The ranges of a table of decimal numbers and words alone, so that programs without texts keep no word of theirs.
+struct Range {
+  int32_t low, high;
+};
+template <uint8_t n> struct Ranges {
+  Range range[n];
+};
+template <uint8_t n> constexpr Ranges<n> ranges_of(const Number (&numbers)[n]) {
+  Ranges<n> all{};
+  for (uint8_t i = 0; i < n; ++i) all.range[i] = {numbers[i].low, numbers[i].high};
+  return all;
+}
+
+constexpr bool in_range(const Range* range, uint8_t count, const int32_t* number) {
   for (uint8_t i = 0; i < count; ++i)
-    if (!within(number[i], numbers[i].low, numbers[i].high)) return false;
+    if (!within(number[i], range[i].low, range[i].high)) return false;
   return true;
 }
 

@@ -35,7 +35,8 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Db"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(ranges.range, slots, number); }
 
 // a0 = p2 / p1, b0 = .01 a0^2 / p2 (of p3 = 0). Noise of a tenth either way on a; discs hold three times the a.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {

@@ -39,8 +39,9 @@ inline constexpr Number numbers[] = {
     decimal("reach", 50000, 245000, 240000, "cells^2 per step: Dd"),
 };
 
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
 constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[drain] < 4 * static_cast<int64_t>(number[decay]);
+  return kinetics::in_range(ranges.range, slots, number) && number[drain] < 4 * static_cast<int64_t>(number[decay]);
 }
 
 constexpr uint8_t planes(const int32_t*) { return 5; }

@@ -31,7 +31,8 @@ inline constexpr Number numbers[] = {
     decimal("reach", 20000, 240000, 200000, "cells^2 per step: Dv"),
 };
 
-constexpr bool in_range(const int32_t* number) { return kinetics::in_range(numbers, slots, number); }
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
+constexpr bool in_range(const int32_t* number) { return kinetics::in_range(ranges.range, slots, number); }
 
 // u0 = a + b, v0 = b / u0^2. Noise of a tenth either way on u; discs hold twice the u.
 constexpr grid::Levels levels(const int32_t* number, uint8_t plane) {

@@ -41,8 +41,9 @@ inline constexpr Number numbers[] = {
     decimal("lit", kGrowth[0], kGrowth[1], 18000000, "with solver=pictured: growth where the picture is white"),
 };
 
+inline constexpr auto ranges = kinetics::ranges_of(numbers);
 constexpr bool in_range(const int32_t* number) {
-  return kinetics::in_range(numbers, slots, number) && number[growth] - number[decay] >= kLeastB;
+  return kinetics::in_range(ranges.range, slots, number) && number[growth] - number[decay] >= kLeastB;
 }
 
 constexpr int64_t spread_of(const int32_t* number, uint8_t plane) {

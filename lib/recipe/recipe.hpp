@@ -138,4 +138,11 @@ inline constexpr Family families[] = {
      {Start::noise, 32000000, 875000, 300000, 6400000, 1000000, start::noise_row}, 0, 1000000},
 };
 
+// What text may begin with: all families, or those of a port's own list, which then links no others.
+struct Families {
+  const Family* first;
+  uint8_t count;
+};
+inline constexpr Families kFamilies = {families, sizeof families / sizeof families[0]};
+
 }  // namespace dapple::recipe

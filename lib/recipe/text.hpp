@@ -290,18 +290,15 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   }
 }
 
-// Index among `families`, or -1.
-constexpr int8_t family_named(Word name) {
-  int8_t index = 0;
-  for (const Family& f : families) {
-    if (equal(name, f.name)) return index;
-    ++index;
-  }
+// Index among the families, or -1.
+constexpr int8_t family_named(Word name, const Families& known = kFamilies) {
+  for (uint8_t i = 0; i < known.count; ++i)
+    if (equal(name, known.first[i].name)) return static_cast<int8_t>(i);
   return -1;
 }
-constexpr const Family* family_of(const Recipe& recipe) {
-  for (const Family& f : families)
-    if (f.model == recipe.stage[0].model || f.compact == recipe.stage[0].model) return &f;
+constexpr const Family* family_of(const Recipe& recipe, const Families& known = kFamilies) {
+  for (const Family* f = known.first; f < known.first + known.count; ++f)
+    if (f->model == recipe.stage[0].model || f->compact == recipe.stage[0].model) return f;
   return nullptr;
 }
 
@@ -312,7 +309,7 @@ constexpr Word next_word(Word& rest) {
 
 // Reads text into `recipe`: a whole recipe where it begins with a model's name, changes to it otherwise. The recipe is
 // undefined after a failure.
-constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
+constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble, const Families& known = kFamilies) {
   Word rest = word_of(text);
   const Word all = rest;
   Reader r{};
@@ -324,10 +321,10 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
     return broken_text;
   }
   Word word = next_word(rest);
-  const int8_t named = family_named(word);
+  const int8_t named = family_named(word, known);
   const bool fresh = named >= 0;
   if (fresh) {
-    r.family = families + named;
+    r.family = known.first + named;
     defaults(recipe, *r.family);
   }
   if (!fresh && (recipe.stages == 0 || (find(word, '=') == word.length && word.length > 0))) {
@@ -339,7 +336,7 @@ constexpr Status read(const char* text, Recipe& recipe, Trouble& trouble) {
     word = next_word(rest);
     r.pairs_given = true;
   } else {
-    r.family = family_of(recipe);
+    r.family = family_of(recipe, known);
     r.was_multigrid = is_multigrid(recipe, *r.family);
   }
   const int8_t angle = angles_of(*r.family), scale = slot_named(*r.family, "scale");

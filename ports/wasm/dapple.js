@@ -13,19 +13,20 @@ const dapple = {
   async load(module) {
     const bytes = typeof module === "string" ? Uint8Array.from(atob(module), (c) => c.charCodeAt(0)) : module;
     const compiled = await WebAssembly.compile(bytes);
-    const make = (presets) => new dapple.Desk(new WebAssembly.Instance(compiled, {}).exports, presets);
-    const presets = await dapple.unpacked(make([]).packed());
-    return () => make(presets);
+    const make = (texts) => new dapple.Desk(new WebAssembly.Instance(compiled, {}).exports, texts);
+    const texts = await dapple.unpacked(make({ presets: [], units: [] }).packed());
+    return () => make(texts);
   },
 
-  // The presets out of their gzip stream.
+  // Presets, and the sentences about numbers, out of their gzip stream.
   async unpacked(bytes) {
     const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
-    const part = text.split("\0"), count = Math.floor(part.length / 3);
-    return Array.from({ length: count }, (_, i) => {
-      const [name, sentence, line] = part.slice(3 * i, 3 * i + 3);
-      return { name: name.replace(/_/g, "-"), sentence, line };
-    });
+    const part = text.split("\0"), presets = [];
+    while (part[0] !== "") {
+      const [name, sentence, line] = part.splice(0, 3);
+      presets.push({ name: name.replace(/_/g, "-"), sentence, line });
+    }
+    return { presets, units: part.slice(1) };
   },
 
   // FNV-1a, 64 bit, as hexadecimal digits.
@@ -37,9 +38,10 @@ const dapple = {
 };
 
 dapple.Desk = class {
-  constructor(exports, presets) {
+  constructor(exports, { presets, units }) {
     this.exports = exports;
     this.presets = presets;
+    units = [...units];
     const after = (at, bytes) => (at + bytes + 15) & ~15;
     this.recipe = exports.heap();
     this.texture = after(this.recipe, exports.recipe_bytes());
@@ -52,7 +54,7 @@ dapple.Desk = class {
     this.families = this.list(exports.family).map((name, i) => {
       exports.family(i);
       const [steps] = this.told(1), names = this.list((k) => exports.number(i, k));
-      return { name, steps, numbers: names.map((_, k) => this.number(i, k)) };
+      return { name, steps, numbers: names.map((_, k) => ({ ...this.number(i, k), unit: units.shift() })) };
     });
   }
 
@@ -83,13 +85,13 @@ dapple.Desk = class {
     return all;
   }
   number(family, index) {
-    const name = this.text(this.exports.number(family, index)), [kind, low, high, standard, words, unit] = this.told(6);
+    const name = this.text(this.exports.number(family, index)), [kind, low, high, standard, words] = this.told(5);
     const list = (this.text(words) || "").split("|");
-    return { name, kind: dapple.kinds[kind], low, high, standard, words: list, unit: this.text(unit) };
+    return { name, kind: dapple.kinds[kind], low, high, standard, words: list };
   }
 
   packed() {
-    const place = this.exports.presets(), [length] = this.told(1);
+    const place = this.exports.texts(), [length] = this.told(1);
     return this.bytes(place, length);
   }
   ramps() { return this.list(this.exports.ramp); }

@@ -4,7 +4,7 @@
 // width, height. Negative answers are the library's Status; dapple.js puts them, and the numbers told, into words.
 // SPDX-License-Identifier: MIT
 #include "dapple.hpp"
-#include "recipe/text.hpp"
+#include "families.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
 
@@ -12,14 +12,13 @@ namespace {
 
 using namespace dapple;
 
-#include "presets_packed.hpp"
+#include "texts_packed.hpp"
 
 constexpr int32_t kTextBytes = recipe::kMaxText;  // the longest line and its zero
 constexpr int32_t kLongestSide = 65535;
 char text_buffer[kTextBytes];
 int32_t told_numbers[8];
 
-constexpr int32_t kFamilyCount = sizeof recipe::families / sizeof recipe::families[0];
 constexpr int32_t kRampCount = sizeof recipe::ramps / sizeof recipe::ramps[0];
 
 bool is_side(int32_t side) { return side >= kSmallestSide && side <= kLongestSide; }
@@ -45,28 +44,28 @@ EXPORT(limits)() -> void {
 EXPORT(recipe_bytes)() -> int32_t { return sizeof(Recipe); }
 EXPORT(texture_bytes)() -> int32_t { return sizeof(Texture); }
 
-// The presets in gzip's format [RFC 1952]: of each its name (an underscore is a hyphen), sentence and recipe line, ended by zeros.
-// Told: bytes.
-EXPORT(presets)() -> const uint8_t* {
-  told_numbers[0] = sizeof kPresets;
-  return kPresets;
+// In gzip's format [RFC 1952] what texts.cpp says: of every preset its name (an underscore is a hyphen), sentence and recipe line,
+// an empty text, and a sentence about every number of every family. Told: bytes.
+EXPORT(texts)() -> const uint8_t* {
+  told_numbers[0] = sizeof kTexts;
+  return kTexts;
 }
 // Lists, each ended by 0.
 EXPORT(ramp)(int32_t index) -> const char* { return index < kRampCount ? recipe::ramps[index].name : nullptr; }
 // A family's name; told: the steps it takes by itself.
 EXPORT(family)(int32_t index) -> const char* {
-  if (index >= kFamilyCount) return nullptr;
-  told_numbers[0] = static_cast<int32_t>(recipe::families[index].steps);
-  return recipe::families[index].name;
+  if (index >= offered::kCount) return nullptr;
+  told_numbers[0] = static_cast<int32_t>(offered::kAll.family[index].steps);
+  return offered::kAll.family[index].name;
 }
 
-// Number `index` of a family: its name, or 0; told: Number::Kind, low, high, standard, words, unit.
+// Number `index` of a family: its name, or 0; told: Number::Kind, low, high, standard, words.
 EXPORT(number)(int32_t family, int32_t index) -> const char* {
-  const recipe::Family& f = recipe::families[family];
+  const recipe::Family& f = offered::kAll.family[family];
   if (index >= f.number_count) return nullptr;
   const Number& n = f.numbers[index];
-  const int32_t told[] = {n.kind, n.low, n.high, n.standard, address(n.words), address(n.unit)};
-  for (uint8_t i = 0; i < 6; ++i) told_numbers[i] = told[i];
+  const int32_t told[] = {n.kind, n.low, n.high, n.standard, address(n.words)};
+  for (uint8_t i = 0; i < 5; ++i) told_numbers[i] = told[i];
   return n.name;
 }
 
@@ -76,7 +75,7 @@ EXPORT(parse)(Recipe* recipe) -> int32_t {
   text_buffer[kTextBytes - 1] = 0;
   Recipe fresh{};
   Trouble t{};
-  const Status status = recipe::read(text_buffer, fresh, t);
+  const Status status = recipe::read(text_buffer, fresh, t, offered::kFamilies);
   if (status == ok) *recipe = fresh;
   const int32_t told[] = {t.column, address(t.word.text), t.word.length, t.low, t.high, t.whole, address(t.allowed)};
   for (uint8_t i = 0; i < 7; ++i) told_numbers[i] = told[i];

@@ -1,11 +1,20 @@
-// Prints every preset's name, sentence and recipe, each ended by a zero: what ports/wasm/build compresses for the module.
+// Prints what ports/wasm/build compresses for the module, ended by zeros: every preset's name, sentence and recipe; an empty
+// text; the sentence about every number of every family.
 // SPDX-License-Identifier: MIT
 #include <stdio.h>
 
-constexpr char kTexts[] =
+#include "dapple.hpp"
+#include "recipe/text.hpp"
+
+constexpr char kPresets[] =
 #define DAPPLE_PRESET(name, sentence, text) #name "\0" sentence "\0" text "\0"
 #include "recipe/presets.def"
 #undef DAPPLE_PRESET
     ;
 
-int main() { return fwrite(kTexts, 1, sizeof kTexts - 1, stdout) == sizeof kTexts - 1 ? 0 : 1; }
+int main() {
+  fwrite(kPresets, 1, sizeof kPresets, stdout);
+  for (const dapple::recipe::Family& family : dapple::recipe::families)
+    for (uint8_t i = 0; i < family.number_count; ++i) printf("%s%c", family.numbers[i].unit, 0);
+  return ferror(stdout) != 0 || fflush(stdout) != 0;
+}
