@@ -95,7 +95,19 @@ test_compact() {
   refused 2 "'cells' is not a key of schnakenberg" -- grow schnakenberg cells=compact
 }
 
-for part in picture frames dials compact; do
+# A freeze that holds none or all is told, with the count; the texture is grown all the same.
+test_freeze() {
+  local turing="turing scale=6 decay=12.25 steps=300" above count
+  for above in 15 6 0; do
+    hash_of "$turing then freeze above=$above steps=20" --size 64 > "$folder/hash" 2> "$folder/warned"
+    check "then freeze above=$above" grep -qE '^[0-9a-f]{16}$' "$folder/hash"
+    case $above in 15) count=0 ;; 6) count= ;; 0) count=4096 ;; esac
+    equal "then freeze above=$above: warning" "$(grep -o 'holds [0-9]* of 4096 cells, by above=[0-9]*' "$folder/warned")" \
+      "${count:+holds $count of 4096 cells, by above=$above}"
+  done
+}
+
+for part in picture frames dials compact freeze; do
   test_$part
 done
 echo "kinetics: $passed passed, $failed failed"

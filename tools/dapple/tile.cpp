@@ -59,8 +59,31 @@ static uint32_t step_rows(const dapple::Recipe& recipe, uint16_t height) {
   return most;
 }
 
+// A freeze that holds no cell or all of them is hardly meant; the texture is grown all the same.
+void Tile::tell_held(const dapple::Stage& freeze) {
+  const dapple::Domain domain = texture_.domain();
+  const int16_t level = freeze.model->cell_level(freeze.number);
+  const uint32_t cells = uint32_t{domain.width} * domain.height;
+  uint32_t held = 0;
+  std::vector<int16_t> row(domain.width);
+  for (uint16_t y = 0; y < domain.height; ++y) {
+    texture_.row(y, row.data());
+    held += static_cast<uint32_t>(std::count_if(row.begin(), row.end(), [=](int16_t v) { return v > level; }));
+  }
+  if (held != 0 && held != cells) return;
+  std::fprintf(stderr, "dapple: warning: 'then freeze' of %s holds %u of %u cells, by above=%s\n", name_.c_str(), held, cells,
+               decimal_text(freeze.number[dapple::kinetics::above]).c_str());
+}
+
 void Tile::grow(uint32_t budget, Progress& progress) {
   if (budget == 0) budget = step_rows(recipe_, rows_);
+  uint32_t before = 0;
+  for (uint8_t i = 0; i < recipe_.stages; before += recipe_.stage[i++].steps)
+    if (recipe_.stage[i].entry == dapple::Entry::freeze) {
+      grow_steps(before, progress);
+      tell_held(recipe_.stage[i]);
+      break;
+    }
   while (texture_.step(budget) == dapple::more) progress.show(name_, texture_.rows_done(), texture_.rows_in_all());
 }
 
@@ -68,8 +91,13 @@ void Tile::grow_steps(uint32_t steps, Progress& progress) {
   const dapple::Stage& first = recipe_.stage[0];
   if (texture_.rows_done() == 0)
     texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (rows_ >> first.level));
-  while (texture_.steps_done() < steps && texture_.step(1) == dapple::more)
-    progress.show(name_, texture_.steps_done(), steps);
+  uint8_t level = 0;
+  for (uint8_t i = 0; i < recipe_.stages; ++i) level = std::max(level, recipe_.stage[i].level);
+  const uint64_t least = texture_.domain().height >> level;  // rows of a step, or fewer
+  for (uint32_t done; (done = texture_.steps_done()) < steps; progress.show(name_, done, steps)) {
+    const uint64_t rows = std::clamp<uint64_t>((steps - done - 1) * least, 1, 65536);
+    if (texture_.step(static_cast<uint32_t>(rows)) != dapple::more) break;
+  }
 }
 
 }  // namespace cli

@@ -40,6 +40,8 @@ class Tile {
   dapple::Texture& texture() { return texture_; }
 
  private:
+  void tell_held(const dapple::Stage& freeze);
+
   std::string name_;
   dapple::Recipe recipe_;
   dapple::Patch patch_;  // of a recipe with sides
