@@ -381,8 +381,8 @@ TEST_CASE("drift: the mean of a plane of noise moves by less than .25 units a ma
     char name[dapple::kMaxName];
     dapple::Recipe recipe = dapple::load(*dapple::preset_at(i, name).preset);
     if (recipe.stage[0].model != &dapple::threshold_model) continue;
-    recipe.start.kind = dapple::Start::noise;
-    recipe.start.row = dapple::row_start(recipe.start.kind);
+    recipe.start.kind = dapple::Start::noise, recipe.start.row = dapple::row_start(recipe.start.kind);
+    recipe.stages = 1, recipe.stage[0].level = 0;
     INFO(std::string(name));
     for (int plane = 0; plane < 2; ++plane) {
       const Tensor t = threshold::tensor(recipe.stage[0].number, static_cast<uint8_t>(plane));

@@ -54,6 +54,7 @@ inline i16 knight_of(i16 far, i16 near) {
 }
 // A link's pull is the mean of its two ends', floor(a/2) + floor(b/2); rows of pulls hold the halves.
 inline i16 half(i16 a) { return static_cast<i16>(a >> 1); }
+
 inline void pull_axis(const i16* DAPPLE_RESTRICT map, i16* DAPPLE_RESTRICT out, uint16_t n, Mirror m) {
   for (uint16_t k = 0; k < n; ++k) {
     const i16 c = high_cos(map[k]), s = high_sin(map[k]);

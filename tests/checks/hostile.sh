@@ -19,7 +19,6 @@ builds() {
     echo "one $compiler -O2 -funsigned-char"
     echo "one $compiler -O3 -march=native -ftree-vectorize"
     echo "many $compiler -O1"
-    echo "one $compiler -O3"
     can_build $compiler -m32 && echo "one $compiler -O2 -m32"
   done
   echo "many clang++ -O2 $sanitize"

@@ -99,7 +99,6 @@ test_refusals() {
   refused 2 "sides= is not for a torus" -- surface torus zebra sides=closed
   refused 2 "sides repeat in pairs" -- grow zebra sides=closed,repeat,closed,closed
   refused 2 "no sides" -- grow zebra sides=closed --at 0,0
-  refused 2 "threshold, mapped and gray-scott" -- grow zebra-bits sides=closed
   refused 2 "dapple surface" -- grow "mapped solver=surface"
   refused 2 "--preview is for" -- surface flat zebra --preview x.png
   refused 1 "more than three pairs" -- surface torus coral

@@ -30,9 +30,9 @@ constexpr uint32_t kSeed = 5;
 TEST_CASE("driver: every preset has its goldens on 1 and 2 threads, those of up to 500 steps on 3 and 8 too") {
   for (const unsigned threads : {1u, 2u, 3u, 8u}) {
     Counted driver(threads);
-    for (const tests::Golden& g : tests::read_goldens()) {
-      const dapple::Recipe recipe = dapple::load(*dapple::find_preset(g.name));
-      if (threads > 2 && recipe.stage[0].steps > 500) continue;  // thousands of steps of more threads than processors
+    for (const tests::Golden& g : tests::fewer_goldens()) {
+      const dapple::Recipe recipe = tests::preset(g.name);
+      if (threads > 2 && tests::runs_long(recipe)) continue;  // thousands of steps of more threads than processors
       const dapple::Domain domain = dapple::torus(static_cast<uint16_t>(g.width), static_cast<uint16_t>(g.height));
       dapple::Options options;
       options.bands = static_cast<uint8_t>(threads);

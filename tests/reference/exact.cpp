@@ -133,6 +133,8 @@ void each_preset(const dapple::Model* model, uint32_t steps, void (*check)(const
     char name[dapple::kMaxName];
     dapple::Recipe recipe = dapple::load(*dapple::preset_at(i, name).preset);
     if (recipe.stage[0].model != model) continue;
+    recipe.stages = 1;
+    recipe.stage[0].level = 0;
     recipe.stage[0].steps = std::min(recipe.stage[0].steps, steps);
     INFO(std::string(name));
     too_wide = 0;

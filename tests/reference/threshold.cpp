@@ -195,12 +195,13 @@ std::vector<Plane> grow_by_euler(const Threshold& t, std::vector<Plane> planes, 
   return planes;
 }
 
+// On one grid: what coarse grids leave is another texture.
 std::vector<Named> presets_of(const dapple::Model* model) {
   std::vector<Named> all;
   for (uint16_t i = 0; i < dapple::preset_count(); ++i) {
     char name[dapple::kMaxName];
     const dapple::Recipe recipe = dapple::load(*dapple::preset_at(i, name).preset);
-    if (recipe.stage[0].model == model) all.push_back({name, recipe});
+    if (recipe.stage[0].model == model && recipe.stages == 1) all.push_back({name, recipe});
   }
   return all;
 }

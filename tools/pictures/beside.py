@@ -1,4 +1,5 @@
 # Pictures side by side: beside.py OUT.png FILE.ppm ... joins PPM files of one height with a white gap between them.
+# FILE.ppm:X,Y,W,H is that part of a file.
 # SPDX-License-Identifier: MIT
 import struct
 import sys
@@ -7,13 +8,16 @@ import zlib
 GAP = 8  # pixels
 
 
-def read(path):
+def read(what):
+    path, _, part = what.partition(":")
     with open(path, "rb") as file:
         kind, width, height, most = (file.readline() + file.readline() + file.readline()).split()
         if kind != b"P6" or most != b"255":
             sys.exit(f"{path}: not a PPM of eight bits")
         width, height = int(width), int(height)
-        return [file.read(3 * width) for _ in range(height)]
+        rows = [file.read(3 * width) for _ in range(height)]
+    x, y, w, h = (int(number) for number in part.split(",")) if part else (0, 0, width, height)
+    return [row[3 * x : 3 * (x + w)] for row in rows[y : y + h]]
 
 
 def chunk(kind, data):
