@@ -75,6 +75,14 @@ inline dapple::Recipe recipe_of(const char* text) {
   return recipe;
 }
 
+// Why a recipe is refused.
+inline dapple::Trouble refusal(const char* text) {
+  dapple::Recipe recipe{};
+  dapple::Trouble trouble{};
+  dapple::parse(text, recipe, trouble);
+  return trouble;
+}
+
 inline dapple::Recipe preset(const std::string& name) { return dapple::load(*dapple::find_preset(name.c_str())); }
 
 // A preset with some of its numbers changed.

@@ -12,15 +12,9 @@
 namespace kinetics = dapple::kinetics;
 using tests::Grown;
 using tests::recipe_of;
+using tests::refusal;
 
 namespace {
-
-dapple::Trouble refusal(const char* text) {
-  dapple::Recipe recipe{};
-  dapple::Trouble trouble{};
-  dapple::parse(text, recipe, trouble);
-  return trouble;
-}
 
 constexpr const char* kFamilies[] = {"turing",          "meinhardt-spots", "meinhardt-stripes",
                                      "fitzhugh-nagumo", "schnakenberg",    "brusselator"};

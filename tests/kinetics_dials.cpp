@@ -10,15 +10,9 @@
 namespace kinetics = dapple::kinetics;
 using tests::Grown;
 using tests::recipe_of;
+using tests::refusal;
 
 namespace {
-
-dapple::Trouble refusal(const char* text) {
-  dapple::Recipe recipe{};
-  dapple::Trouble trouble{};
-  dapple::parse(text, recipe, trouble);
-  return trouble;
-}
 
 int32_t number_of(const char* text, uint8_t slot) {
   const dapple::Recipe recipe = recipe_of(text);
