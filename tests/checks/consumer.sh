@@ -13,11 +13,12 @@ quietly() {
   finish
 }
 
-# grown_by NAME OPTIONS...: configures and builds the consumer, prints what it prints
+# grown_by NAME OPTIONS...: configures and builds the consumer, not optimised, and with it the library where that is a
+# subfolder; prints what it prints
 grown_by() {
   local name=$1
   shift
-  quietly "$name" cmake -S "$scratch/outside" -B "$scratch/$name" -DCMAKE_BUILD_TYPE=Release "$@"
+  quietly "$name" cmake -S "$scratch/outside" -B "$scratch/$name" -DCMAKE_BUILD_TYPE=Debug "$@"
   quietly "$name" cmake --build "$scratch/$name" --parallel "$(nproc)"
   quietly "$name" "$scratch/$name/consumer"
   cp "$scratch/log" "$scratch/$name.txt"

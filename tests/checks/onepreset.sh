@@ -1,24 +1,29 @@
 #!/usr/bin/env bash
 # A program that names one preset links that preset, its model and its solver, and nothing of the others or of recipes
 # as text. Prints what it takes.
+#   onepreset.sh --packages   what it takes, as tests/run installs it: command:package
 # SPDX-License-Identifier: MIT
+if [ "${1:-}" = --packages ]; then
+  echo clang++-16:clang-16
+  exit
+fi
 . "$(dirname "$0")/common.bash"
-need g++ clang++ ld.lld llvm-nm llvm-size
+need g++ clang++ clang++-16 ld.lld llvm-nm llvm-size
 
-flags="-std=c++17 -Os -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti -fno-threadsafe-statics -I$root/lib"
+flags="-std=c++17 -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti -fno-threadsafe-statics -I$root/lib"
 bare="-ffreestanding -nostdinc++ -fno-asynchronous-unwind-tables"
 
 # build TARGET PRESET: the program is $scratch/TARGET-PRESET
 build() {
-  local out=$scratch/$1-$2 compiler link file
+  local out=$scratch/$1-$2 compiler size=-Os link file
   link="ld.lld --gc-sections -e main --unresolved-symbols=ignore-all -o $out"
   case $1 in
     x86-64) compiler="g++ -fno-asynchronous-unwind-tables" link="g++ -Wl,--gc-sections -o $out" ;;
     cortex-m0) compiler="clang++ --target=thumbv6m-none-eabi -mcpu=cortex-m0 -mfloat-abi=soft $bare" ;;
-    avr) compiler="clang++ --target=avr -mmcu=atmega328p $bare" ;;
+    avr) compiler="clang++-16 --target=avr -mmcu=atmega328p $bare" size=-Oz ;;  # as ports/avr/README.md says
   esac
   for file in lib/one tests/checks/onepreset; do
-    $compiler $flags "-DONE_PRESET=$2" -c "$root/$file.cpp" -o "$out-${file##*/}.o" || return 1
+    $compiler $flags $size "-DONE_PRESET=$2" -c "$root/$file.cpp" -o "$out-${file##*/}.o" || return 1
   done
   $link "$out-one.o" "$out-onepreset.o" 2> "$out.err" || { cat "$out.err"; return 1; }
 }
