@@ -62,18 +62,6 @@ TEST_CASE("compact: a word for all stages, written and read back") {
   CHECK(recipe_of("schnakenberg cells=compact").stages == 0);
 }
 
-TEST_CASE("compact: the same bits however the run is sliced and in however many bands") {
-  for (const std::string family : {"turing", "meinhardt-spots"}) {
-    const std::string text = family + " cells=compact vary=0.05 stretch=1.5 angle=20 level=1 scale=" +
-                             (family == "turing" ? "12" : "4") +
-                             " steps=9 then refine steps=5 dt=0.9 then freeze reset=off above=0.4 held=apart steps=7 then carry steps=3";
-    const dapple::Domain domain = dapple::torus(74, 50);
-    const std::vector<int16_t> whole = field_of(text, domain);
-    for (const uint32_t budget : {1u, 7u, 1000u}) CHECK(field_of(text, domain, budget) == whole);
-    for (const uint8_t bands : {uint8_t{2}, uint8_t{3}, uint8_t{9}}) CHECK(field_of(text, domain, 13, bands) == whole);
-  }
-}
-
 TEST_CASE("compact: windows of the plane agree, and a rolled torus is the torus rolled") {
   const std::string text = "turing cells=compact vary=0.1 scale=6 steps=9";
   const std::vector<int16_t> a = field_of(text, dapple::window(-30, -25, 60, 50)), b = field_of(text, dapple::window(-10, -9, 60, 50));

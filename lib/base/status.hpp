@@ -30,6 +30,7 @@ enum Status : int8_t {
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
   bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size
+  no_coverage = -24,    // coverage= of a window of the plane or of joined patches: it is a share of a whole tile
 
   // parse and begin: Trouble or Need says which number
   unstable = -23,       // numbers with which a stage's steps would diverge, or too small for its grid

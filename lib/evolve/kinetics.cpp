@@ -199,7 +199,7 @@ static void picture_row(const grid::Rows& rows) {
   stencil::grey_row(static_cast<const PlaceMaps*>(maps)->grey, t[origin_x] + rows.x, t[origin_y] + rows.y,
                     plane ? period : static_cast<uint16_t>(t[ring_x]),
                     plane ? period : static_cast<uint16_t>(t[ring_y]), rows.n, grey);
-  for (uint16_t x = 0; x < rows.n; ++x) 
+  for (uint16_t x = 0; x < rows.n; ++x)
     set_cell(rows, more, x, cell_at(rows, more, x) + (rows.p[0] + rows.p[1] * (grey[x] >> 2) / 16320) / unit);
 }
 

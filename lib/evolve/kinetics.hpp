@@ -1,6 +1,7 @@
 // Explicit kinetics: one step of all morphogens in one sweep, diffusion by five points or, stretched, by eight
 // neighbours. `kinetics` grows; `cascade` also holds cells: they are read by their neighbours, never written;
-// `pictured` grows by a picture [Lawlor]. SPDX-License-Identifier: MIT
+// `pictured` grows by a picture [Lawlor].
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../model/kinetics.hpp"
 #include "../model/turing.hpp"
@@ -62,9 +63,8 @@ constexpr Reach cascade_reach(const Model& model, const int32_t* number, uint8_t
 
 // A share of all cells is for tiles: windows of the plane, and patches that are joined, would not agree.
 constexpr Status accepts_share(const int32_t* number, const void*, const Domain& domain) {
-  if (number[kinetics::coverage] == 0) return ok;
-  if (domain.patches != nullptr) return domain.patches->count == 1 ? ok : bad_sides;
-  return domain.plane ? halo_too_wide : ok;
+  const bool whole = domain.patches != nullptr ? domain.patches->count == 1 : !domain.plane;
+  return whole || number[kinetics::coverage] == 0 ? ok : no_coverage;
 }
 
 // A plane of growth behind the model's own; where the picture is follows the table.
@@ -77,11 +77,10 @@ constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_
   return reach;
 }
 constexpr Status accepts_picture(const int32_t* number, const void* given, const Domain& domain) {
-  if (accepts_share(number, given, domain) != ok) return accepts_share(number, given, domain);
   if (given == nullptr) return bad_map;
   const GreyImage& image = static_cast<const PlaceMaps*>(given)->grey;
   const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
-  return good ? ok : bad_map;
+  return good ? accepts_share(number, given, domain) : bad_map;
 }
 
 bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep);

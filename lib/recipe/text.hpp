@@ -2,8 +2,10 @@
 //
 //   recipe = model { key=value } { "then" ("carry" | "refine" | "freeze" | "reset") { key=value } }
 //
-// Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run); wavelength
-// (cells, sets scale); cells=wide|compact (of all stages: four bytes a cell of a plane or two); aspect and spot_size of spots (dials.hpp); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude, length, lean, fan;
+// Keys: the model's numbers; steps, level, solver of the stage; levels, fine, solver=multigrid (a whole coarse-to-fine run);
+// wavelength (cells, sets scale); cells=wide|compact (of all stages: four bytes a cell of a plane or two); aspect and
+// spot_size of spots (dials.hpp); start=noise|seeds|point|line|segments|phases with pitch, aspect, jitter, radius, amplitude,
+// length, lean, fan;
 // sides=repeat|closed|fixed, of all, across and down, or left, right, top and bottom, and fixed=A,B; ramp, range=LOW,HIGH, light,
 // gloss, grain, opacity=LOW,HIGH, roughness=LOW,HIGH. After `then` a stage begins as a copy of the one before. Numbers are decimal, six
 // digits after the point.
@@ -41,11 +43,11 @@ constexpr int8_t angles_of(const Family& f) {
 }
 
 constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
+  if (equal(key, "scale")) r.length = value;
+  if (equal(key, "coverage")) r.coverage_given = true;
   uint8_t slot = 0;
   for (uint8_t i = 0; i < r.family->number_count; ++i) {
     const Number& n = r.family->numbers[i];
-    if (equal(key, "scale")) r.length = value;
-    if (equal(key, "coverage")) r.coverage_given = true;
     const bool named = equal(key, n.name) || (n.kind == Number::angles && equal(key, "angles"));
     if (named) {
       found = true;

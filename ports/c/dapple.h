@@ -54,10 +54,11 @@ enum dapple_status_values {
   DAPPLE_TOO_LITTLE_MEMORY = -15, /* fewer bytes than needed, or null */
   DAPPLE_TOO_FAR = -17,           /* a window more than 2^30 - 2048 cells from the origin */
   DAPPLE_HALO_TOO_WIDE = -18,     /* a window whose recipe runs too long for the plane: take a torus */
-  DAPPLE_BAD_MAP = -19,           /* map=image or solver=styled, which take images from C++ */
+  DAPPLE_BAD_MAP = -19,           /* map=image, solver=styled or pictured, which take images from C++ */
   DAPPLE_BAD_SIDES = -21,         /* a recipe with sides=, which takes a patch from C++ */
   DAPPLE_BAD_SURFACE = -22,       /* solver=surface, which takes a surface from C++ */
-  DAPPLE_UNSTABLE = -23           /* numbers with which steps diverge, or too small for their grid; text: see the reason */
+  DAPPLE_UNSTABLE = -23,          /* numbers with which steps diverge, or too small for their grid; text: see the reason */
+  DAPPLE_NO_COVERAGE = -24        /* coverage= of a window: it is a share of a whole tile */
 };
 
 /* Where and why something was refused. */

@@ -29,7 +29,7 @@ static_assert(DAPPLE_TOO_LARGE == int{too_large} && DAPPLE_TOO_LITTLE_MEMORY == 
 static_assert(DAPPLE_TOO_FAR == int{too_far} && DAPPLE_HALO_TOO_WIDE == int{halo_too_wide}, "");
 static_assert(DAPPLE_BAD_MAP == int{bad_map} && DAPPLE_UNSTABLE == int{unstable}, "");
 static_assert(DAPPLE_BAD_SIDES == int{bad_sides}, "");
-static_assert(DAPPLE_BAD_SURFACE == int{bad_surface}, "");
+static_assert(DAPPLE_BAD_SURFACE == int{bad_surface} && DAPPLE_NO_COVERAGE == int{no_coverage}, "");
 
 constexpr bool same(int a, Pixels b) { return a == static_cast<int>(b); }
 static_assert(same(DAPPLE_L8, Pixels::l8) && same(DAPPLE_RGB888, Pixels::rgb888), "");

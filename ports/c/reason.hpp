@@ -135,6 +135,8 @@ static void explain(Sentence& s, const Need& need) {
       return put(s, "a recipe with sides needs a patch, which is for C++");
     case bad_surface:
       return put(s, "solver=surface needs a surface, which is for C++");
+    case no_coverage:
+      return put(s, "coverage= is a share of a whole tile, of which the endless plane has none");
     default:
       return put(s, "the stages do not fit each other, or the last is not on the finest grid");
   }

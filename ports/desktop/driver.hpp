@@ -4,8 +4,8 @@
 //   options.bands = 2;
 //   options.driver = &driver;
 //
-// Sweeps over single planes go by plane, all others by bands, of which a texture has Options::bands. One texture at a
-// time.
+// Sweeps over single planes go by plane, those along a way of a map plane by plane too, all others by bands, of which a
+// texture has Options::bands. One texture at a time.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/evolve/run.hpp"

@@ -1,4 +1,5 @@
-// The row kernels of lib/, and of fluxed.hpp, that every set has a faster one for: ROW(set, namespace, portable kernel, the set's own).
+// The row kernels of lib/, and of fluxed.hpp, that every set has a faster one for:
+// ROW(set, namespace, portable kernel, the set's own).
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -67,10 +67,10 @@ const dappleWords = {
           `${up(told.width)} x ${up(told.height)}`;
       case -14: return "more memory than there are addresses";
       case -15: return "not enough memory";
-      case -19: return "map=image and solver=styled need images, which cannot be given here";
+      case -19: return "map=image needs an image, which cannot be given here";
       case -23: return "a number makes the steps diverge, or is too small for its grid";
       case -21: return "sides other than sides=repeat need a patch, which cannot be given here";
-      case -22: return "solver=surface needs a surface, which cannot be given here";
+      case -24: return "coverage= is a share of a whole tile, of which the endless plane has none; take the repeated tile";
       case -17: return "the plane ends here";
       case -18:
         return "not for the endless plane: it would have to grow " + told.halo + " cells more on every side, " +

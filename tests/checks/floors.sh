@@ -62,7 +62,7 @@ files_are_short() {
     lines=$(wc -l < "$root/$file")
     [ "$lines" -lt 400 ] || fail "$file has $lines lines; under 400 is the rule"
     case $file in
-      *.cpp | *.hpp) head -20 "$root/$file" | grep -q 'SPDX-License-Identifier: MIT' || fail "$file: no SPDX line" ;;
+      *.cpp | *.hpp) head -20 "$root/$file" | grep -qx '// SPDX-License-Identifier: MIT' || fail "$file: no SPDX line" ;;
     esac
   done
 }

@@ -20,21 +20,21 @@ struct Request {
 };
 constexpr double kAny = 0;  // round spots have no angle
 
-// A spot has 2 / root 3 wavelength^2 for itself. spot_size=5.5 of 9.5: pi root(3) / 8 (5.5 / 9.5)^2 = .2280; spot_size=4
-// with coverage=.09: 4 root(pi root(3) / 8 / .09) = 10.996.
+// A spot has 2 / root 3 wavelength^2 for itself. spot_size=6.2 of 10.3: pi root(3) / 8 (6.2 / 10.3)^2 = .2464;
+// spot_size=4.6 with coverage=.1: 4.6 root(pi root(3) / 8 / .1) = 11.997.
 constexpr Request kRequests[] = {
-    {"turing wavelength=8 coverage=0.3", 128, 8, .3, 1, kAny},
-    {"turing wavelength=9.5 spot_size=5.5", 128, 9.5, .2280, 1, kAny},
-    {"turing coverage=0.13 wavelength=11.2", 256, 11.2, .13, 1, kAny},
-    {"turing wavelength=14 aspect=2 angle=30 coverage=0.35", 256, 14, .35, 2, 30},
-    {"turing wavelength=15 aspect=1.5 angle=110 coverage=0.2", 256, 15, .2, 1.5, 110},
-    {"turing wavelength=16 aspect=2.35 angle=-20 coverage=0.28", 256, 16, .28, 2.35, -20},
-    {"turing wavelength=17 aspect=1.8 angle=65 coverage=0.1", 256, 17, .1, 1.8, 65},
-    {"turing wavelength=18 coverage=0.42", 256, 18, .42, 1, kAny},
-    {"meinhardt-spots wavelength=10 coverage=0.08", 128, 10, .08, 1, kAny},
-    {"meinhardt-spots spot_size=4 coverage=0.09", 256, 10.996, .09, 1, kAny},
-    {"meinhardt-spots wavelength=14 aspect=1.5 angle=40 coverage=0.12", 256, 14, .12, 1.5, 40},
-    {"meinhardt-spots wavelength=15 aspect=2 angle=100 coverage=0.15", 256, 15, .15, 2, 100},
+    {"turing wavelength=8.7 coverage=0.25", 128, 8.7, .25, 1, kAny},
+    {"turing wavelength=10.3 spot_size=6.2", 128, 10.3, .2464, 1, kAny},
+    {"turing coverage=0.17 wavelength=12.4", 256, 12.4, .17, 1, kAny},
+    {"turing wavelength=14.8 aspect=1.7 angle=45 coverage=0.3", 256, 14.8, .3, 1.7, 45},
+    {"turing wavelength=15.6 aspect=2.2 angle=125 coverage=0.24", 256, 15.6, .24, 2.2, 125},
+    {"turing wavelength=16.7 aspect=1.4 angle=-50 coverage=0.33", 256, 16.7, .33, 1.4, -50},
+    {"turing wavelength=17.5 aspect=2 angle=10 coverage=0.15", 256, 17.5, .15, 2, 10},
+    {"turing wavelength=13.3 coverage=0.4", 256, 13.3, .4, 1, kAny},
+    {"meinhardt-spots wavelength=11 coverage=0.1", 128, 11, .1, 1, kAny},
+    {"meinhardt-spots spot_size=4.6 coverage=0.1", 256, 11.997, .1, 1, kAny},
+    {"meinhardt-spots wavelength=14.5 aspect=1.7 angle=70 coverage=0.11", 256, 14.5, .11, 1.7, 70},
+    {"meinhardt-spots wavelength=16 aspect=1.9 angle=15 coverage=0.13", 256, 16, .13, 1.9, 15},
 };
 
 // Cells of spots, four neighbours, on the torus.

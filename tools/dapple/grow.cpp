@@ -21,7 +21,7 @@ static void set_steps(Subject& subject, const Options& options) {
 
 static void grow_tile(Tile& tile, const Subject& subject, const Options& options) {
   Progress progress;
-  if (options.steps && *options.steps < steps_of(subject.recipe)) tile.grow_steps(*options.steps, progress);
+  if (options.steps && *options.steps < steps_of(subject.recipe)) tile.grow_steps(*options.steps, options.budget, progress);
   else tile.grow(options.budget, progress);
 }
 
@@ -99,7 +99,7 @@ static void write_frames(const Subject& subject, const Options& options, const T
   Progress progress;
   for (uint32_t frame = 0; frame < frames; ++frame) {
     Output out(names.name(frame));
-    tile.grow_steps(frame * options.every, progress);
+    tile.grow_steps(frame * options.every, options.budget, progress);
     picture.note = "Seed " + std::to_string(options.seed) + ", step " + std::to_string(frame * options.every) + ", dapple " +
                    version_text() + ": " + line_of(subject.recipe);
     Lines lines(picture, target.pixels, options.dither);

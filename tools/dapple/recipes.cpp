@@ -208,8 +208,6 @@ uint32_t steps_of(const Recipe& recipe) { return dapple::recipe::total_steps(rec
 static uint32_t rounded_up(uint32_t side, uint32_t multiple) { return (side + multiple - 1) / multiple * multiple; }
 
 void fail_for_halo(const Subject& subject, uint32_t halo) {
-  if (halo <= dapple::kWidestHalo)
-    fail("coverage= and spot_size= are shares of a whole tile, of which the endless plane has none (dapple grow without --at)");
   fail("the endless plane is not for " + subject.name + ": it would have to grow " + std::to_string(halo) +
        " cells more on every side, and " + std::to_string(dapple::kWidestHalo) +
        " are the most; a tile needs none (dapple grow without --at)");
@@ -264,6 +262,8 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
     case dapple::unstable:
       refuse(unsteady(dapple::recipe::name_at(family_of(subject.recipe), need.bound.slot),
                       subject.recipe.stage[need.stage].number[need.bound.slot], need.bound.low, need.bound.high));
+    case dapple::no_coverage:
+      fail("coverage= and spot_size= are shares of a whole tile, of which the endless plane has none (dapple grow without --at)");
     case dapple::halo_too_wide:
       fail_for_halo(subject, need.halo);
     default:

@@ -80,14 +80,15 @@ void Tile::grow(uint32_t budget, Progress& progress) {
   uint32_t before = 0;
   for (uint8_t i = 0; i < recipe_.stages; before += recipe_.stage[i++].steps)
     if (recipe_.stage[i].entry == dapple::Entry::freeze) {
-      grow_steps(before, progress);
+      grow_steps(before, budget, progress);
       tell_held(recipe_.stage[i]);
       break;
     }
   while (texture_.step(budget) == dapple::more) progress.show(name_, texture_.rows_done(), texture_.rows_in_all());
 }
 
-void Tile::grow_steps(uint32_t steps, Progress& progress) {
+void Tile::grow_steps(uint32_t steps, uint32_t budget, Progress& progress) {
+  if (budget == 0) budget = step_rows(recipe_, rows_);
   const dapple::Stage& first = recipe_.stage[0];
   if (texture_.rows_done() == 0)
     texture_.step(static_cast<uint32_t>(first.model->planes(first.number)) * (rows_ >> first.level));
@@ -95,7 +96,7 @@ void Tile::grow_steps(uint32_t steps, Progress& progress) {
   for (uint8_t i = 0; i < recipe_.stages; ++i) level = std::max(level, recipe_.stage[i].level);
   const uint64_t least = texture_.domain().height >> level;  // rows of a step, or fewer
   for (uint32_t done; (done = texture_.steps_done()) < steps; progress.show(name_, done, steps)) {
-    const uint64_t rows = std::clamp<uint64_t>((steps - done - 1) * least, 1, 65536);
+    const uint64_t rows = std::clamp<uint64_t>((steps - done - 1) * least, 1, budget);
     if (texture_.step(static_cast<uint32_t>(rows)) != dapple::more) break;
   }
 }

@@ -35,7 +35,7 @@ class Tile {
   // To the end, `budget` rows at a time; 0: a step or so at a time.
   void grow(uint32_t budget, Progress& progress);
   // Until exactly `steps` steps are done in all, from where it is.
-  void grow_steps(uint32_t steps, Progress& progress);
+  void grow_steps(uint32_t steps, uint32_t budget, Progress& progress);
 
   dapple::Texture& texture() { return texture_; }
 
