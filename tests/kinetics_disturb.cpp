@@ -166,3 +166,36 @@ TEST_CASE("disturb: refused within a step, before the start, and where it cannot
   window.texture.finish();
   CHECK(window.texture.go_on(5) == dapple::not_now);
 }
+
+// A texture that was looked at before it is disturbed shows what one does that was not: no row of before is kept.
+TEST_CASE("disturb: what is done to a texture is seen at once, by row and by paint") {
+  using Pixels = std::vector<uint8_t>;
+  const auto pixels = [](Running& running) {
+    Pixels all(size_t{3 * kSide} * kSide);
+    for (uint16_t y = 0; y < kSide; ++y) running.texture.paint(y, dapple::Pixels::rgb888, all.data() + size_t{3 * kSide} * y);
+    return all;
+  };
+  for (const char* text : {"turing decay=12.25 scale=8 steps=90 light=1", "turing decay=12.25 scale=8 level=1 steps=60 then refine steps=30 light=1"}) {
+    INFO(text);
+    Running looked(text, UINT32_MAX), blind(text, UINT32_MAX);
+    const auto both = [&](dapple::Status (*act)(Texture& t)) {
+      const Pixels before = pixels(looked);
+      REQUIRE(act(looked.texture) == dapple::ok);
+      REQUIRE(act(blind.texture) == dapple::ok);
+      const Pixels after = pixels(looked);
+      CHECK(after == pixels(blind));
+      CHECK(looked.field() == blind.field());
+      return after != before;
+    };
+    looked.texture.finish(), blind.texture.finish();
+    CHECK(both([](Texture& t) { return t.stamp(32, 62, 9, true); }));
+    CHECK(both([](Texture& t) { return t.stamp(10, 1, 9, false); }));
+    CHECK(both([](Texture& t) { return t.change(dapple::kinetics::coverage, 400000); }));
+    both([](Texture& t) { return t.go_on(0); });
+    CHECK(both([](Texture& t) {
+      const dapple::Status status = t.go_on(9);
+      t.finish();
+      return status;
+    }));
+  }
+}
