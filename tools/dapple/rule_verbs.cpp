@@ -43,7 +43,7 @@ Torus state_of(Subject& subject, const Options& options, uint32_t steps) {
   if (steps > all) change(subject.recipe, "steps=" + std::to_string(steps), "--steps");
   Tile tile(subject, domain_of(options), options.seed, options.bands, options.kernels);
   Progress progress;
-  if (steps < all) tile.grow_steps(steps, progress);
+  if (steps < all) tile.grow_steps(steps, options.budget, progress);
   else tile.grow(options.budget, progress);
   Torus torus(options.width, options.height);
   std::vector<int16_t> row(options.width);
