@@ -4,6 +4,7 @@
 #   out             an existing folder             files     C++ sources, from the root
 #   patience        seconds for one run            watch     for the emulator: an array
 # build_for NAME makes $out/program, run_on NAME what it says in $out/said; port_of NAME is its folder in ports/.
+# What lib/one.cpp is for a machine is kept in build/machines for all that is built of the same library.
 # SPDX-License-Identifier: MIT
 machine_packages="g++:g++ clang++:clang ld.lld:lld llvm-size:llvm
   qemu-aarch64-static:qemu-user-static qemu-system-arm:qemu-system-arm
@@ -74,11 +75,28 @@ compile() {
   local command=() file
   while [ "$1" != -- ]; do command+=("$1"); shift; done
   shift
-  for file; do "${command[@]}" -c "$root/$file" -o "$out/${file//\//-}.o" || return 1; done
+  for file; do
+    if [ "$file" = lib/one.cpp ]; then compile_library "${command[@]}"
+    else "${command[@]}" -c "$root/$file" -o "$out/${file//\//-}.o"; fi || return 1
+  done
+}
+
+# compile_library COMPILER OPTIONS...: without definitions, which the library does not look at.
+compile_library() {
+  local command=() word object
+  for word; do [[ $word = -D* ]] || command+=("$word"); done
+  object=$root/build/machines/$({ echo "${command[@]}"; find "$root/lib" -type f -exec cat {} +; } | cksum | tr ' ' -).o
+  mkdir -p "$root/build/machines"
+  if [ ! -f "$object" ]; then
+    "${command[@]}" -c "$root/lib/one.cpp" -o "$out/library" && mv "$out/library" "$object" || return 1
+  fi
+  cp "$object" "$out/lib-one.cpp.o"
 }
 
 # shellcheck disable=SC2086
-build_linux() { (cd "$root" && $2 $plain $options -static -Wl,--gc-sections ports/linux/host.cpp "${files[@]}" -o "$out/program"); }
+build_linux() {
+  compile $2 $plain $options -- ports/linux/host.cpp "${files[@]}" && $2 -static -Wl,--gc-sections "$out"/*.o -o "$out/program"
+}
 
 run_linux() {
   local emulator=$3
@@ -131,8 +149,8 @@ run_riscv_e() { run_riscv "$1" 32 - - rv32,e=on,i=off,h=off,m=off,a=off,f=off,d=
 # ports/avr/README.md says why it is clang 16 and these options.
 # shellcheck disable=SC2086
 build_avr() {
-  (cd "$root" && clang++-16 --target=avr "-mmcu=$1" $plain "$2" $options -Wl,--gc-sections \
-    ports/avr/host.cpp "${files[@]}" -o "$out/program" && ports/avr/check "$out/program")
+  compile clang++-16 --target=avr "-mmcu=$1" $plain "$2" $options -- ports/avr/host.cpp "${files[@]}" &&
+    clang++-16 --target=avr "-mmcu=$1" -Wl,--gc-sections "$out"/*.o -o "$out/program" && "$root/ports/avr/check" "$out/program"
 }
 
 # simavr ends a line with a dot and the end of a colour.

@@ -37,12 +37,13 @@ headers_compile() {
   quietly clang-c11 clang $c_flags -std=c11 -Weverything -Wno-padded -fsyntax-only "$scratch/header.c"
 }
 
-# build NAME C++COMPILER CCOMPILER OPTIONS...: the program is $scratch/NAME; linked as C
+# build NAME C++COMPILER CCOMPILER LEVEL OPTIONS...: the program is $scratch/NAME; linked as C. The options are not for the
+# library itself, of which hostile.sh has many builds.
 # shellcheck disable=SC2086
 build() {
   local out=$scratch/$1 name=$1 cxx=$2 cc=$3
   shift 3
-  quietly "$name-lib" $cxx $cpp_flags "$@" -c "$root/lib/one.cpp" -o "$out-one.o" &&
+  quietly "$name-lib" $cxx $cpp_flags "$1" -c "$root/lib/one.cpp" -o "$out-one.o" &&
     quietly "$name-port" $cxx $cpp_flags -Wconversion -Wshadow "$@" -c "$port/dapple_c.cpp" -o "$out-port.o" &&
     quietly "$name-test" $cc $c_flags "$@" "$port/test.c" "$out-port.o" "$out-one.o" -o "$out"
 }

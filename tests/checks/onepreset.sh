@@ -13,19 +13,18 @@ need g++ clang++ clang++-16 ld.lld llvm-nm llvm-size
 flags="-std=c++17 -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti -fno-threadsafe-statics -I$root/lib"
 bare="-ffreestanding -nostdinc++ -fno-asynchronous-unwind-tables"
 
-# build TARGET PRESET: the program is $scratch/TARGET-PRESET
+# build TARGET PRESET: the program is $scratch/TARGET-PRESET; the library is compiled once a target.
 build() {
-  local out=$scratch/$1-$2 compiler size=-Os link file
+  local out=$scratch/$1-$2 library=$scratch/$1.o compiler size=-Os link
   link="ld.lld --gc-sections -e main --unresolved-symbols=ignore-all -o $out"
   case $1 in
     x86-64) compiler="g++ -fno-asynchronous-unwind-tables" link="g++ -Wl,--gc-sections -o $out" ;;
     cortex-m0) compiler="clang++ --target=thumbv6m-none-eabi -mcpu=cortex-m0 -mfloat-abi=soft $bare" ;;
     avr) compiler="clang++-16 --target=avr -mmcu=atmega328p $bare" size=-Oz ;;  # as ports/avr/README.md says
   esac
-  for file in lib/one tests/checks/onepreset; do
-    $compiler $flags $size "-DONE_PRESET=$2" -c "$root/$file.cpp" -o "$out-${file##*/}.o" || return 1
-  done
-  $link "$out-one.o" "$out-onepreset.o" 2> "$out.err" || { cat "$out.err"; return 1; }
+  [ -f "$library" ] || $compiler $flags $size -c "$root/lib/one.cpp" -o "$library" || return 1
+  $compiler $flags $size "-DONE_PRESET=$2" -c "$root/tests/checks/onepreset.cpp" -o "$out.o" || return 1
+  $link "$library" "$out.o" 2> "$out.err" || { cat "$out.err"; return 1; }
 }
 
 # check TARGET PRESET PATTERN: no symbol of the program matches

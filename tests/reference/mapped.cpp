@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "reference.hpp"
 
@@ -103,21 +104,34 @@ struct Step {
 };
 constexpr Step kWays[8] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 1}, {-2, 1}, {1, 2}, {-1, 2}};
 
-double share(int way, double m, double d, Vector p) {
+// Two neighbouring ways, the second anticlockwise of the first: their doubled angles' sines and cosines.
+struct Neighbours {
+  int first, second;
+  double sin[2], cos[2], det;
+};
+
+std::vector<Neighbours> neighbours() {
   const auto angle = [](Step w) { return std::atan2(2.0 * w.x * w.y, static_cast<double>(w.x * w.x - w.y * w.y)); };
-  double gain[8] = {}, sum = 0;
+  std::vector<Neighbours> all;
   for (int i = 0; i < 8; ++i)
-    for (int j = 0; j < 8; ++j) {  // (i, j) neighbours, anticlockwise
+    for (int j = 0; j < 8; ++j) {
       const double a = angle(kWays[i]), turn = std::remainder(angle(kWays[j]) - a, 2 * kPi);
       if (turn < 0.1 || turn > 1) continue;
-      const double det = std::sin(turn);
-      const double first = (p.c * std::sin(a + turn) - p.s * std::cos(a + turn)) / det;
-      const double second = (p.s * std::cos(a) - p.c * std::sin(a)) / det;
-      if (first < 0 || second < 0) continue;
-      gain[i] = first;
-      gain[j] = second;
-      sum = first + second;
+      all.push_back({i, j, {std::sin(a), std::sin(a + turn)}, {std::cos(a), std::cos(a + turn)}, std::sin(turn)});
     }
+  return all;
+}
+
+double share(int way, double m, double d, Vector p) {
+  static const std::vector<Neighbours> all = neighbours();
+  double gain[8] = {}, sum = 0;
+  for (const Neighbours& n : all) {
+    const double first = (p.c * n.sin[1] - p.s * n.cos[1]) / n.det, second = (p.s * n.cos[0] - p.c * n.sin[0]) / n.det;
+    if (first < 0 || second < 0) continue;
+    gain[n.first] = first;
+    gain[n.second] = second;
+    sum = first + second;
+  }
   const double square = kWays[way].x * kWays[way].x + kWays[way].y * kWays[way].y;
   return 2 * d * gain[way] / square + (way < 2 ? m - d * sum : 0);
 }
