@@ -8,7 +8,7 @@ need g++ clang++
 
 golden=$root/tests/golden/small.txt
 program=tests/checks/small_goldens.cpp
-sanitize="-g -fsanitize=address,undefined -fno-sanitize-recover=all"
+sanitize="-g -fsanitize=address,undefined,implicit-unsigned-integer-truncation -fno-sanitize-recover=all"
 strict="-std=c++17 -Wall -Wextra -Werror -I$root/lib"
 
 # One build a line: one|many compiler options
@@ -21,7 +21,6 @@ builds() {
   done
   echo "many g++ -O1"
   echo "many clang++ -O2 $sanitize"
-  echo "one clang++ -O1 -g -fsanitize=implicit-unsigned-integer-truncation,shift -fno-sanitize-recover=all"
 }
 
 can_build() { echo '#include <vector>
