@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../../lib/evolve/kinetics.hpp"
 #include "../../lib/model/cells.hpp"
 #include "../../lib/stencil/flux.hpp"
 #include "../../lib/stencil/lattice.hpp"
@@ -155,13 +156,22 @@ void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   });
 }
 
-// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row
-// from its window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
+// Whether the solver's steps are by a kernel that takes the old row from its window; the portable ones of kinetics want
+// it in place.
+static bool takes_window(const evolve::Run& run) {
+  const auto swapped = [&](grid::RowKernel row) { return grid::choose(run.kernels, row) != row; };
+  const auto next = run.solver.next;
+  if (next == &evolve::kinetic_next) return swapped(evolve::narrow_row);
+  if (next == &evolve::cascade_next) return swapped(evolve::cascade_row);
+  if (next == &evolve::kinetics_next || next == &evolve::pictured_next) return swapped(evolve::kinetics_row);
+  return next == &evolve::direct_next && run.model.window == &cells::window_row;
+}
+
+// Steps of one sweep over all planes whose kernel knows nothing of the row before: as many as the stage has left and the
+// rows allow.
 static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
-  if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
-  const bool kinetic =
-      run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
-  return kinetic || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
+  const bool once = reach.once != 0 && run.step == 0;
+  return reach.sweeps == 1 && !once && !run.domain.plane && run.stage.steps - run.step >= 2 && takes_window(run);
 }
 
 uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
