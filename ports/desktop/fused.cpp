@@ -7,10 +7,10 @@
 
 namespace dapple::desktop {
 
-constexpr size_t kCache = 192 * 1024;  // bytes that may be on the move at a time
+constexpr size_t kCache = 320 * 1024;  // bytes that may be on the move at a time
 constexpr size_t kVector = 32, kGroup = 16;
-constexpr size_t kBeyond = 64;  // kernels read beyond a row
-constexpr uint32_t kRowsAtOnce = 8;
+constexpr size_t kBeyond = 64;                            // kernels read beyond a row
+constexpr uint32_t kRowsAtOnce = 8, kBytesAtOnce = 8192;  // at most, and about
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
 
@@ -54,6 +54,8 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   pitch_ = layout.pitch;
   wide_ = work.wide && !mostly_gaps(field, pitch_);
   plane_ = pitch_ * field.height;
+  at_once_ = static_cast<uint32_t>(
+      std::max(size_t{1}, std::min(size_t{kRowsAtOnce}, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
   const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
@@ -154,7 +156,7 @@ void Fused::flow(const evolve::Field& field, const Work& work) {
   begin_stages(field);
   loaded_ = 0;
   while (stages_.back().done < field.height) {
-    load(field, work, std::min(kRowsAtOnce, field.height - loaded_));
+    load(field, work, std::min(at_once_, field.height - loaded_));
     for (size_t k = 0; k < stages_.size(); ++k) do_stage(field, work, k);
   }
 }
@@ -165,7 +167,7 @@ void Fused::run(const evolve::Field& field, const Work& work) {
     stages_.clear();
     for (size_t lines = 0; i < work.count && (stages_.empty() || lines * 2 * pitch_ * work.sweep[0].count < kCache);
          ++i) {
-      lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + kRowsAtOnce;
+      lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + at_once_;
       stages_.push_back({work.sweep + i, 0, 0, 0, 0});
     }
     flow(field, work);

@@ -67,9 +67,9 @@ class Fused {
   std::unique_ptr<uint8_t[]> memory_;
   uint8_t* buffer_[2];  // plane 0, row 0, cell 0
   size_t bytes_ = 0, pitch_ = 0, plane_ = 0;
-  uint32_t loaded_ = 0;
-  uint16_t halo_ = 0;  // cells there is room for beside a row
-  bool wide_ = false;  // rows are made with their halos
+  uint32_t loaded_ = 0, at_once_ = 1;  // rows; that are loaded
+  uint16_t halo_ = 0;                  // cells there is room for beside a row
+  bool wide_ = false;                  // rows are made with their halos
 };
 
 }  // namespace dapple::desktop

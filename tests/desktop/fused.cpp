@@ -93,8 +93,8 @@ uint32_t different(const Plane& a, const Plane& b) {
 TEST_CASE("fused: passes along any directions are those of the definition, by every table") {
   Random random{7};
   desktop::Fused fused;
-  for (const uint16_t width :
-       {uint16_t{1}, uint16_t{7}, uint16_t{34}, uint16_t{64}, uint16_t{131}, uint16_t{256}, uint16_t{515}})
+  for (const uint16_t width : {uint16_t{1}, uint16_t{7}, uint16_t{34}, uint16_t{64}, uint16_t{131}, uint16_t{256},
+                               uint16_t{515}, uint16_t{2100}})
     for (const uint16_t height : {uint16_t{12}, uint16_t{37}, uint16_t{90}})
       for (const size_t count : {size_t{1}, size_t{2}, size_t{9}, size_t{40}})
         for (uint8_t t = 0; t < desktop::table_count(); ++t) {
