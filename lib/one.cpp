@@ -41,6 +41,7 @@
 #include "evolve/flux.cpp"
 #include "evolve/gaussian.cpp"
 #include "evolve/ghosts.cpp"
+#include "evolve/kinetic_rows.cpp"
 #include "evolve/kinetics.cpp"
 #include "evolve/refine.cpp"
 #include "evolve/run.cpp"

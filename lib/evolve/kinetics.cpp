@@ -8,9 +8,7 @@
 
 namespace dapple::evolve {
 
-constexpr uint32_t kVaryStream = 160, kDitherStream = 161;  // of the hash
-constexpr uint8_t kStepOf = kMaxValues - 1;                  // of a sweep's p: which step this is
-constexpr int32_t kVaryCut = 1 << (kinetics::kVaryBits - kinetics::kCompactVary);
+constexpr uint32_t kVaryStream = 160;  // of the hash
 
 // What the first sweep of a stage does, p[2].
 enum Mode : uint8_t { freezes = 1, resets_on = 2, resets_off = 4, leaves = 8, holds = 16 };
@@ -53,93 +51,6 @@ void prepare_pictured(const Context& context) {
   prepare_kinetics(context);
   context.table[has_rates] = 1;
   base::copy_bytes(context.table + table_count, &context.stored, sizeof context.stored);
-}
-
-static uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
-static uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]); }
-
-// Compact cells in the format of steps, and sums of them: |sum| < 2^18, cut <= 9.
-static void widen(const int16_t* DAPPLE_RESTRICT from, int32_t* DAPPLE_RESTRICT to, uint16_t n, int32_t unit) {
-  for (uint16_t x = 0; x < n; ++x) to[x] = from[x] * unit;
-}
-static void scale(int32_t* sums, uint16_t n, int32_t unit) {
-  for (uint16_t x = 0; x < n; ++x) sums[x] *= unit;
-}
-
-// Two morphogens, 0..20 in Q20, back to int16: rounded up where what is cut off is more than a random number, half a hash
-// each.
-static void dither(const int32_t* DAPPLE_RESTRICT a, const int32_t* DAPPLE_RESTRICT b, int16_t* DAPPLE_RESTRICT to_a,
-                   int16_t* DAPPLE_RESTRICT to_b, uint16_t n, base::RowKey key, int32_t at, uint8_t cut) {
-  const int32_t mask = (INT32_C(1) << cut) - 1;
-  for (int32_t x = 0; x < n; ++x) {
-    const uint32_t h = base::hash(key, at + x);
-    to_a[x] = static_cast<int16_t>(base::min((a[x] + static_cast<int32_t>(h & static_cast<uint32_t>(mask))) >> cut, INT32_C(32767)));
-    to_b[x] = static_cast<int16_t>(base::min((b[x] + (static_cast<int32_t>(h >> 16) & mask)) >> cut, INT32_C(32767)));
-  }
-}
-
-// The same for a row, where it is in the world: windows of the plane agree. A torus that is rolled has an edge in it.
-static void narrow_row(const grid::Rows& rows, const int32_t* a, const int32_t* b) {
-  const int32_t* t = rows.table;
-  const uint16_t width = static_cast<uint16_t>(t[ring_x]), height = static_cast<uint16_t>(t[ring_y]);
-  const bool plane = t[on_plane] != 0;
-  const uint32_t seed = static_cast<uint32_t>(t[seed_of]) ^ base::mix(static_cast<uint32_t>(rows.p[kStepOf]) + 1);
-  const base::RowKey key = base::row_key(seed, kDitherStream, start::world(t[origin_y] + rows.y, height, plane));
-  int32_t at = start::world(t[origin_x] + rows.x, width, plane);
-  for (uint16_t x = 0, count; x < rows.n; x = static_cast<uint16_t>(x + count), at = 0) {
-    const int32_t left = width - at;
-    count = static_cast<uint16_t>(rows.n - x);
-    if (!plane && left < count) count = static_cast<uint16_t>(left);
-    dither(a + x, b + x, grid::out16(rows, 0) + x, grid::out16(rows, 1) + x, count, key, at, static_cast<uint8_t>(t[cut_bits]));
-  }
-}
-
-// The deviations of a row in the format of steps: as they are kept, widened, or zeros.
-static const void* deviations(const grid::Rows& rows, int32_t* row) {
-  const uint8_t planes = kept_at(rows);
-  const bool compact = rows.table[cut_bits] != 0;
-  if (rows.table[has_rates] != 0 && !compact) return rows.out[planes];
-  if (rows.table[has_rates] != 0) widen(grid::out16(rows, planes), row, rows.n, kVaryCut);
-  else
-    for (uint16_t x = 0; x < rows.n; ++x) row[x] = 0;
-  return row;
-}
-
-// in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}. scratch:
-// the sums of every morphogen, a row of deviations, compact cells in the format of steps, then the reaction's own rows.
-static void step_row(const grid::Rows& rows) {
-  const size_t row_bytes = grid::row_bytes(grid::Cell::int32, rows.n);
-  const uint8_t planes = kept_at(rows);
-  const int32_t unit = INT32_C(1) << rows.table[cut_bits];
-  grid::Rows stencil = rows, react = rows;
-  for (uint8_t plane = 0; plane < planes; ++plane) {
-    for (uint8_t k = 0; k < 3; ++k) stencil.in[k] = rows.in[3 * plane + k];
-    stencil.out[0] = rows.scratch + plane * row_bytes;
-    rows.part[0](stencil);
-    react.in[plane] = stencil.out[0];
-    if (unit > 1) scale(grid::out32(stencil, 0), rows.n, unit);
-  }
-  react.in[planes] = deviations(rows, reinterpret_cast<int32_t*>(rows.scratch + planes * row_bytes));
-  react.scratch = rows.scratch + (planes + 1u) * row_bytes;
-  for (uint8_t plane = 0; plane < planes && unit > 1; ++plane, react.scratch += row_bytes) {
-    react.out[plane] = react.scratch;
-    widen(grid::out16(rows, plane), grid::out32(react, plane), rows.n, unit);
-  }
-  rows.part[1](react);
-  if (unit > 1) narrow_row(rows, grid::out32(react, 0), grid::out32(react, 1));
-}
-
-// mask: all ones where the cell is held.
-template <class T>
-static void hold(const T* DAPPLE_RESTRICT old, const T* DAPPLE_RESTRICT mask, T* DAPPLE_RESTRICT cells, uint16_t n) {
-  for (uint16_t x = 0; x < n; ++x) cells[x] = static_cast<T>(cells[x] ^ ((cells[x] ^ old[x]) & mask[x]));
-}
-template <class T>
-static void hold_row(const grid::Rows& rows) {
-  step_row(rows);
-  const T* const mask = static_cast<const T*>(rows.out[held_at(rows)]);
-  for (uint8_t plane = 0; plane < kept_at(rows); ++plane)
-    hold(static_cast<const T*>(rows.in[3 * plane + 1]), mask, static_cast<T*>(rows.out[plane]), rows.n);
 }
 
 // Cells of either width, where there are few: once a stage.
@@ -237,7 +148,7 @@ static void step_sweep(const Context& context, bool has_mask, grid::RowKernel ro
   all_planes(context, has_mask, sweep);
   sweep.radius = 1;
   sweep.stride = sweep.halo = 1;
-  sweep.row = row;
+  sweep.row = grid::choose(context.kernels, row);
   sweep.part[0] = grid::choose(context.kernels, isotropic ? round : oval);
   sweep.part[1] = grid::choose(context.kernels, context.model->react);
   context.model->values(context.number, context.clock, sweep.p);
@@ -248,7 +159,7 @@ bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   const bool enters = context.first && context.number[kinetics::vary] > 0;
   const uint16_t at = cursor.sweep++;
   if (enters && at == 0) enter_sweep(context, false, sweep);
-  else step_sweep(context, false, step_row, sweep);
+  else step_sweep(context, false, kinetics_row, sweep);
   return at <= (enters ? 1 : 0);
 }
 
@@ -264,7 +175,7 @@ bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep) {
     sweep.p[1] = kinetics::fixed(number[turing::lit] - number[turing::dark], kinetics::kVaryBits);
     return true;
   }
-  step_sweep(context, false, step_row, sweep);
+  step_sweep(context, false, kinetics_row, sweep);
   sweep.count = static_cast<uint8_t>(context.model->planes(number) + 1);
   sweep.p[turing::kGrown] = 1;
   return at <= (context.first ? 1 : 0);
@@ -273,7 +184,7 @@ bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep) {
 bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   const uint16_t at = cursor.sweep++;
   if (context.first && at == 0) enter_sweep(context, true, sweep);
-  else step_sweep(context, true, wide(*context.model) ? hold_row<int32_t> : hold_row<int16_t>, sweep);
+  else step_sweep(context, true, cascade_row, sweep);
   return at <= (context.first ? 1 : 0);
 }
 

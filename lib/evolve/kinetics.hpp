@@ -32,6 +32,9 @@ enum KineticTable : uint8_t {
   table_count
 };
 
+constexpr uint8_t kStepOf = kMaxValues - 1;  // of a sweep's p: which step this is
+constexpr int32_t kVaryCut = 1 << (kinetics::kVaryBits - kinetics::kCompactVary);  // deviations of compact cells
+
 // Planes kept behind the model's own: the deviations of a rate from cell to cell, then what is held.
 constexpr uint8_t kept_by(const int32_t* number, bool holds) {
   return static_cast<uint8_t>((number[kinetics::vary] > 0 ? 1 : 0) + (holds ? 1 : 0));
@@ -82,6 +85,17 @@ constexpr Status accepts_picture(const int32_t* number, const void* given, const
   const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
   return good ? accepts_share(number, given, domain) : bad_map;
 }
+
+inline uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
+inline uint8_t held_at(const grid::Rows& rows) { return static_cast<uint8_t>(kept_at(rows) + rows.table[has_rates]); }
+
+// A step. in[3 plane + k]: rows y - 1 + k; out[plane]: row y, in place; kept planes last. part: {stencil, reaction}.
+// table: KineticTable. scratch: the sums of every morphogen, a row of deviations, compact cells in the format of steps,
+// then the reaction's own rows.
+void kinetics_row(const grid::Rows& rows);
+// The same, then what is held goes back to what it was; and that alone.
+void cascade_row(const grid::Rows& rows);
+void hold_row(const grid::Rows& rows);
 
 bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep);
 bool cascade_next(const Context& context, Cursor& cursor, Sweep& sweep);

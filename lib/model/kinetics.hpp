@@ -149,6 +149,20 @@ DAPPLE_INLINE int32_t stepped(int32_t cell, int32_t sum, int32_t low, int32_t hi
   return base::clamp(cell + ((sum + 16) >> kGuard), low, high);
 }
 
+// One row of a wide reaction of two morphogens. in: sums of a and b, then deviations (Q12); out: a, b in place. A Reaction
+// makes one step of a cell: step(a, b, sum of a, sum of b, deviation).
+template <class Reaction>
+void react_cells(int32_t* DAPPLE_RESTRICT a, int32_t* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a,
+                 const int32_t* DAPPLE_RESTRICT lap_b, const int32_t* DAPPLE_RESTRICT more, uint16_t n,
+                 Reaction reaction) {
+  for (uint16_t x = 0; x < n; ++x) reaction.step(a[x], b[x], lap_a[x], lap_b[x], more[x]);
+}
+template <class Reaction>
+void react_rows(const grid::Rows& rows, Reaction reaction) {
+  react_cells(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1),
+              grid::in32(rows, 2), rows.n, reaction);
+}
+
 // What is above `above`, in the format that is shown.
 constexpr int16_t wide_level(const int32_t* number) { return static_cast<int16_t>(fixed(number[above], kShown)); }
 constexpr int16_t narrow_level(const int32_t* number) {

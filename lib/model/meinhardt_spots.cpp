@@ -11,35 +11,32 @@
 
 namespace dapple::meinhardt_spots {
 
-struct Rates {
-  int32_t decay, drain, base;
-  Rate speed, da, db;
-};
-
 constexpr int32_t kMost = 2 * (INT32_C(1) << 20) - 1;
 
-static void react(int32_t* DAPPLE_RESTRICT a, int32_t* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a,
-                  const int32_t* DAPPLE_RESTRICT lap_b, const int32_t* DAPPLE_RESTRICT more, uint16_t n, Rates r) {
-  for (uint16_t x = 0; x < n; ++x) {
-    const uint32_t a12 = static_cast<uint32_t>(a[x]) >> 8;
-    const uint32_t divisor = static_cast<uint32_t>(base::max(b[x], 1 << 10));
+struct Reaction {
+  int32_t decay, drain, least;
+  Rate speed, da, db;
+
+  DAPPLE_INLINE void step(int32_t& a, int32_t& b, int32_t lap_a, int32_t lap_b, int32_t more) const {
+    const uint32_t a12 = static_cast<uint32_t>(a) >> 8;
+    const uint32_t divisor = static_cast<uint32_t>(base::max(b, 1 << 10));
     const int32_t ratio = base::min(static_cast<int32_t>(base::quotient<23>(a12, divisor) >> 3), INT32_C(1) << 16);
-    const int32_t c = 655 + ((655 * more[x]) >> kVaryBits);
+    const int32_t c = 655 + ((655 * more) >> kVaryBits);
     const int32_t q = static_cast<int32_t>((a12 * static_cast<uint32_t>(ratio)) >> 11),
                   square = static_cast<int32_t>((a12 * a12) >> 11);
-    const int32_t lost = (static_cast<int32_t>(a12) * r.decay) >> 8, drained = ((b[x] >> 8) * r.drain) >> 8;
-    const int32_t to_a = base::clamp(((q * c) >> 9) - lost + r.base, -kMost, kMost);
-    const int32_t to_b = base::clamp(((square * c) >> 9) - drained + r.base, -kMost, kMost);
-    a[x] = stepped(a[x], times(to_a, r.speed) + diffused(lap_a[x], r.da), 0, kLargest);
-    b[x] = stepped(b[x], times(to_b, r.speed) + diffused(lap_b[x], r.db), 0, kLargest);
+    const int32_t lost = (static_cast<int32_t>(a12) * decay) >> 8, drained = ((b >> 8) * drain) >> 8;
+    const int32_t to_a = base::clamp(((q * c) >> 9) - lost + least, -kMost, kMost);
+    const int32_t to_b = base::clamp(((square * c) >> 9) - drained + least, -kMost, kMost);
+    a = stepped(a, times(to_a, speed) + diffused(lap_a, da), 0, kLargest);
+    b = stepped(b, times(to_b, speed) + diffused(lap_b, db), 0, kLargest);
   }
+};
+
+static Reaction reaction_of(const int32_t* p) {
+  return {p[0], p[1], p[2], unpacked(p[3]), unpacked(p[4]), unpacked(p[5])};
 }
 
-// in: sums of a and b, deviations of beta (Q12); out: a, b in place.
-void react_row(const grid::Rows& rows) {
-  const int32_t* p = rows.p;
-  react(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in32(rows, 2),
-        rows.n, {p[0], p[1], p[2], unpacked(p[3]), unpacked(p[4]), unpacked(p[5])});
-}
+// Deviations of beta.
+void react_row(const grid::Rows& rows) { react_rows(rows, reaction_of(rows.p)); }
 
 }  // namespace dapple::meinhardt_spots

@@ -11,27 +11,22 @@ namespace dapple::schnakenberg {
 
 constexpr int32_t kMost = 60 * (INT32_C(1) << 14);
 
-struct Rates {
+struct Reaction {
   int32_t feed, supply;
   Rate speed, du, dv;
+
+  DAPPLE_INLINE void step(int32_t& u, int32_t& v, int32_t lap_u, int32_t lap_v, int32_t more) const {
+    const uint32_t u12 = static_cast<uint32_t>(u) >> 8, uv = (u12 * (static_cast<uint32_t>(v) >> 8)) >> 12;
+    const int32_t product = base::min(static_cast<int32_t>((u12 * uv) >> 10), kMost);
+    const int32_t to_u = feed + 4 * more - (u >> 6) + product, to_v = supply - product;
+    u = stepped(u, times(to_u, speed) + diffused(lap_u, du), 0, kLargestU);
+    v = stepped(v, times(to_v, speed) + diffused(lap_v, dv), 0, kLargestV);
+  }
 };
 
-static void react(int32_t* DAPPLE_RESTRICT u, int32_t* DAPPLE_RESTRICT v, const int32_t* DAPPLE_RESTRICT lap_u,
-                  const int32_t* DAPPLE_RESTRICT lap_v, const int32_t* DAPPLE_RESTRICT more, uint16_t n, Rates r) {
-  for (uint16_t x = 0; x < n; ++x) {
-    const uint32_t u12 = static_cast<uint32_t>(u[x]) >> 8, uv = (u12 * (static_cast<uint32_t>(v[x]) >> 8)) >> 12;
-    const int32_t product = base::min(static_cast<int32_t>((u12 * uv) >> 10), kMost);
-    const int32_t to_u = r.feed + 4 * more[x] - (u[x] >> 6) + product, to_v = r.supply - product;
-    u[x] = stepped(u[x], times(to_u, r.speed) + diffused(lap_u[x], r.du), 0, kLargestU);
-    v[x] = stepped(v[x], times(to_v, r.speed) + diffused(lap_v[x], r.dv), 0, kLargestV);
-  }
-}
+static Reaction reaction_of(const int32_t* p) { return {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4])}; }
 
-// in: sums of u and v, deviations of the feed (Q12); out: u, v in place.
-void react_row(const grid::Rows& rows) {
-  const int32_t* p = rows.p;
-  react(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in32(rows, 2),
-        rows.n, {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4])});
-}
+// Deviations of the feed.
+void react_row(const grid::Rows& rows) { react_rows(rows, reaction_of(rows.p)); }
 
 }  // namespace dapple::schnakenberg

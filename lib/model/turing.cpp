@@ -14,26 +14,30 @@ using kinetics::Rate;
 
 // grown: the deviations are of the growth, and not of the decay.
 template <bool grown>
-static void react(int32_t* DAPPLE_RESTRICT a, int32_t* DAPPLE_RESTRICT b, const int32_t* DAPPLE_RESTRICT lap_a,
-                  const int32_t* DAPPLE_RESTRICT lap_b, const int32_t* DAPPLE_RESTRICT more, uint16_t n, int32_t growth,
-                  int32_t decay, Rate speed, Rate da, Rate db) {
-  constexpr int32_t kMostA = kLargestA * (INT32_C(1) << kWide), kMostB = kLargestB * (INT32_C(1) << kWide);
-  for (uint16_t x = 0; x < n; ++x) {
-    const uint32_t product = (static_cast<uint32_t>(a[x]) >> 9) * (static_cast<uint32_t>(b[x]) >> 8);
+struct Reaction {
+  int32_t growth, decay;
+  Rate speed, da, db;
+
+  DAPPLE_INLINE void step(int32_t& a, int32_t& b, int32_t lap_a, int32_t lap_b, int32_t more) const {
+    constexpr int32_t kMostA = kLargestA * (INT32_C(1) << kWide), kMostB = kLargestB * (INT32_C(1) << kWide);
+    const uint32_t product = (static_cast<uint32_t>(a) >> 9) * (static_cast<uint32_t>(b) >> 8);
     const int32_t ab = static_cast<int32_t>(product >> 11);
-    const int32_t made = growth + (grown ? more[x] : 0) - ab;
-    const int32_t changed = ab - (b[x] >> 8) - decay - (grown ? 0 : more[x]);
-    a[x] = stepped(a[x], times(made, speed) + diffused(lap_a[x], da), 0, kMostA);
-    b[x] = stepped(b[x], times(changed, speed) + diffused(lap_b[x], db), 0, kMostB);
+    const int32_t made = growth + (grown ? more : 0) - ab;
+    const int32_t changed = ab - (b >> 8) - decay - (grown ? 0 : more);
+    a = stepped(a, times(made, speed) + diffused(lap_a, da), 0, kMostA);
+    b = stepped(b, times(changed, speed) + diffused(lap_b, db), 0, kMostB);
   }
+};
+
+template <bool grown>
+static Reaction<grown> reaction_of(const int32_t* p) {
+  return {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4])};
 }
 
-// in: sums of a and b, deviations of the decay or the growth (Q12); out: a, b in place.
+// Deviations of the decay or the growth.
 void react_row(const grid::Rows& rows) {
-  const int32_t* p = rows.p;
-  const auto row = p[5] != 0 ? react<true> : react<false>;
-  row(grid::out32(rows, 0), grid::out32(rows, 1), grid::in32(rows, 0), grid::in32(rows, 1), grid::in32(rows, 2), rows.n,
-      p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4]));
+  if (rows.p[kGrown] != 0) react_rows(rows, reaction_of<true>(rows.p));
+  else react_rows(rows, reaction_of<false>(rows.p));
 }
 
 }  // namespace dapple::turing

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../../lib/evolve/kinetics.hpp"
 #include "../../lib/model/cells.hpp"
 #include "../../lib/stencil/flux.hpp"
 #include "../../lib/stencil/lattice.hpp"
@@ -32,34 +33,38 @@ size_t Driver::passes_from(const evolve::Run& run, size_t at) const {
   return at;
 }
 
-static void chain_alone(const evolve::Run& run, const evolve::Sweep& sweep, uint8_t* scratch) {
-  grid::Rows call{};
-  call.p = sweep.p;
-  call.scratch = scratch;
-  call.n = run.field.width;
-  call.planes = 1;
-  for (uint32_t y = 0; y < run.field.height; ++y) {
-    call.out[0] = evolve::row_of(run.field, sweep.first, static_cast<uint16_t>(y));
-    sweep.row(call);
+// A chain along x as the passes that it is made of: all three rows of their windows are one.
+static void add_chain(const evolve::Run& run, const evolve::Sweep& chain, std::vector<evolve::Sweep>& passes) {
+  stencil::PassSeries series = stencil::series_of(chain.p[0], 0, chain.p[2]);
+  stencil::Pass pass{};
+  while (stencil::next_pass(series, pass)) {
+    evolve::Sweep s{};
+    s.row = grid::choose(run.kernels, stencil::pass_row);
+    s.first = chain.first;
+    s.count = s.radius = 1;
+    s.halo = pass.stride;
+    s.p[0] = pass.stride, s.p[1] = pass.weight, s.p[2] = pass.rounding;
+    passes.push_back(s);
   }
 }
 
 void Driver::by_plane(const evolve::Run& run, size_t from, size_t to) {
+  const grid::RowKernel chain = grid::choose(run.kernels, stencil::chain_row);
+  passes_.clear();
   planes_.clear();
   for (size_t i = from; i < to; ++i) {
-    if (planes_.empty() || sweeps_[planes_.back().first].first != sweeps_[i].first) planes_.push_back({i, i});
-    ++planes_.back().second;
+    const bool opens = planes_.empty() || sweeps_[i].first != sweeps_[i - 1].first;
+    if (opens) planes_.push_back({passes_.size(), 0});
+    if (sweeps_[i].row == chain) add_chain(run, sweeps_[i], passes_);
+    else passes_.push_back(sweeps_[i]);
+    planes_.back().second = passes_.size();
   }
-  const grid::RowKernel chain = grid::choose(run.kernels, stencil::chain_row);
   std::atomic<size_t> next{0};
   crew_.all([&](unsigned hand) {
     if (hand >= hands(run)) return;
-    uint8_t* const scratch = run.field.scratch + hand * run.field.band_bytes;
     for (size_t i = next++; i < planes_.size(); i = next++) {
-      const evolve::Sweep* const sweep = &sweeps_[planes_[i].first];
       const size_t count = planes_[i].second - planes_[i].first;
-      if (count == 1 && sweep->row == chain) chain_alone(run, *sweep, scratch);
-      else fused_[hand].run(run.field, {sweep, count, sweep->row == chain, true, run.table, scratch});
+      if (count > 0) fused_[hand].run(run.field, {&passes_[planes_[i].first], count, true, true, nullptr, nullptr});
     }
   });
 }
@@ -86,7 +91,7 @@ size_t Driver::way_from(const evolve::Run& run, size_t from) const {
 void Driver::make_pulls(const evolve::Run& run, int32_t way, uint16_t halo) {
   const stencil::FluxSet& set = flux_set(run);
   const evolve::Field& field = run.field;
-  const Fused::Layout layout = Fused::layout_of(field, halo);
+  const Fused::Layout layout = Fused::layout_of(field, halo, false);
   const size_t bytes = layout.bytes(size_t{field.height} * set.streams);
   if (pulls_.size() < bytes) pulls_.resize(bytes);
   pulled_ = {&set, layout.first(pulls_.data()), layout.pitch, layout.pitch * field.height, field.height};
@@ -136,7 +141,7 @@ void Driver::by_way(const evolve::Run& run, const evolve::Sweep& sweep) {
       passes_of(run, static_cast<uint8_t>(plane), static_cast<uint8_t>(sweep.p[0]), passes);
       if (passes.empty()) continue;
       const auto table = reinterpret_cast<const int32_t*>(&pulled_);
-      fused_[hand].run(run.field, {passes.data(), passes.size(), false, true, table, nullptr, set.halo});
+      fused_[hand].run(run.field, {passes.data(), passes.size(), true, false, table, nullptr, set.halo});
     }
   });
 }
@@ -155,13 +160,22 @@ void Driver::by_bands(const evolve::Run& run, const evolve::Sweep& sweep) {
   });
 }
 
-// Steps of one sweep over all planes whose kernel knows nothing of places and of the row before, and takes the old row
-// from its window (the portable kinetic one wants it in place): as many as the stage has left and the rows allow.
+// Whether the solver's steps are by a kernel that takes the old row from its window; the portable ones of kinetics want
+// it in place.
+static bool takes_window(const evolve::Run& run) {
+  const auto swapped = [&](grid::RowKernel row) { return grid::choose(run.kernels, row) != row; };
+  const auto next = run.solver.next;
+  if (next == &evolve::kinetic_next) return swapped(evolve::narrow_row);
+  if (next == &evolve::cascade_next) return swapped(evolve::cascade_row);
+  if (next == &evolve::kinetics_next || next == &evolve::pictured_next) return swapped(evolve::kinetics_row);
+  return next == &evolve::direct_next && run.model.window == &cells::window_row;
+}
+
+// Steps of one sweep over all planes whose kernel knows nothing of the row before: as many as the stage has left and
+// the rows allow.
 static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
-  if (reach.sweeps != 1 || reach.once != 0 || run.domain.plane || run.stage.steps - run.step < 2) return false;
-  const bool kinetic =
-      run.solver.next == &evolve::kinetic_next && grid::choose(run.kernels, evolve::narrow_row) != &evolve::narrow_row;
-  return kinetic || (run.solver.next == &evolve::direct_next && run.model.window == &cells::window_row);
+  const bool once = reach.once != 0 && run.step == 0;
+  return reach.sweeps == 1 && !once && !run.domain.plane && run.stage.steps - run.step >= 2 && takes_window(run);
 }
 
 uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
@@ -172,7 +186,7 @@ uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
     evolve::take_sweep(run);  // the step is complete
   }
   const bool bits = run.field.cell == grid::Cell::bit;
-  fused_[0].run(run.field, {sweeps_.data(), sweeps_.size(), false, bits, run.table, run.field.scratch});
+  fused_[0].run(run.field, {sweeps_.data(), sweeps_.size(), bits, false, run.table, run.field.scratch});
   return static_cast<uint32_t>(sweeps_.size()) * run.field.height;
 }
 

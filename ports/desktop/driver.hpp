@@ -36,6 +36,7 @@ class Driver : public evolve::Driver {
   Crew crew_;
   std::vector<Fused> fused_;           // of each thread
   std::vector<evolve::Sweep> sweeps_;  // of the step
+  std::vector<evolve::Sweep> passes_;  // plane after plane
   std::vector<std::pair<size_t, size_t>> planes_;
   stencil::Pulled pulled_{};
   std::vector<uint8_t> pulls_;

@@ -9,6 +9,12 @@
   ROW(set, stencil, five_row, five_row)                       \
   ROW(set, stencil, nine_row, nine_row)                       \
   ROW(set, evolve, narrow_row, kinetic_row)                   \
+  ROW(set, stencil, five_narrow_row, five_narrow_row)         \
+  ROW(set, stencil, five_wide_row, five_wide_row)             \
+  ROW(set, stencil, eight_narrow_row, eight_narrow_row)       \
+  ROW(set, stencil, eight_wide_row, eight_wide_row)           \
+  ROW(set, evolve, kinetics_row, kinetics_wide)               \
+  ROW(set, evolve, cascade_row, cascade_wide)                 \
   ROW(set, stencil, flux_row, flux_row)                       \
   ROW(set, stencil, flux_chain_row, flux_chain_row)           \
   ROW(set, stencil, keep_map_row, keep_map_row)               \
@@ -25,6 +31,12 @@
   ROW(set, threshold, impulse_styled_row, impulse_styled_row) \
   ROW(set, threshold, react_row, react_row)                   \
   ROW(set, gray_scott, react_row, react_row)                  \
+  ROW(set, turing, react_row, react_row)                      \
+  ROW(set, meinhardt_spots, react_row, react_row)             \
+  ROW(set, meinhardt_stripes, react_row, react_row)           \
+  ROW(set, fitzhugh_nagumo, react_row, react_row)             \
+  ROW(set, schnakenberg, react_row, react_row)                \
+  ROW(set, brusselator, react_row, react_row)                 \
   ROW(set, paint, job_row, painted_row)                       \
   ROW(set, cells, window_row, window_wide)                    \
   ROW(set, cells, field_row, field_row)

@@ -7,19 +7,25 @@
 
 namespace dapple::desktop {
 
-constexpr size_t kCache = 192 * 1024;  // bytes that may be on the move at a time
+constexpr size_t kCache = 320 * 1024;  // bytes that may be on the move at a time
 constexpr size_t kVector = 32, kGroup = 16;
-constexpr size_t kBeyond = 64;  // kernels read beyond a row
-constexpr uint32_t kRowsAtOnce = 8;
+constexpr size_t kBeyond = 64;                            // kernels read beyond a row
+constexpr uint32_t kRowsAtOnce = 8, kBytesAtOnce = 8192;  // at most, and about
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
 
-Fused::Layout Fused::layout_of(const evolve::Field& field, uint16_t halo) {
-  const size_t halo_bytes = (grid::halo_bytes(field.cell, halo) + kGroup - 1) / kGroup * kGroup;
+static size_t group_bytes(grid::Cell cell, uint16_t halo) {
+  return (grid::halo_bytes(cell, halo) + kGroup - 1) / kGroup * kGroup;
+}
+
+// Aligned are the first cells of rows or, where they are made too, of their halos.
+Fused::Layout Fused::layout_of(const evolve::Field& field, uint16_t halo, bool wide) {
+  const size_t halo_bytes = group_bytes(field.cell, halo);
   const size_t row =
       field.row_bytes + 2 * (field.cell == grid::Cell::int16 ? halo_bytes : grid::halo_bytes(field.cell, halo));
   // Short rows: rather no gaps than aligned.
-  return {rounded_up(halo_bytes + 1), row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row)};
+  return {rounded_up(halo_bytes + 1) + (wide ? halo_bytes : 0),
+          row < 8 * kVector ? (row + 7) / 8 * 8 : rounded_up(row)};
 }
 
 size_t Fused::Layout::bytes(size_t rows) const { return rounded_up(before + pitch * rows + kBeyond) + kVector; }
@@ -27,12 +33,29 @@ uint8_t* Fused::Layout::first(uint8_t* memory) const {
   return memory + (-reinterpret_cast<uintptr_t>(memory) & (kVector - 1)) + before;
 }
 
+// Of one sweep at least; of all of them where rows do not become longer by more than an eighth.
+uint16_t Fused::widest_halo(const evolve::Field& field, const Work& work) const {
+  uint32_t most = work.halo, all = 0;
+  for (size_t i = 0; i < work.count; ++i) {
+    most = std::max(most, uint32_t{work.sweep[i].halo});
+    all += work.sweep[i].halo;
+  }
+  return static_cast<uint16_t>(work.wide ? std::max(most, std::min(all, field.width / 16u)) : most);
+}
+
+// Whether more than a third of several rows as one would be what lies between them.
+static bool mostly_gaps(const evolve::Field& field, size_t pitch) {
+  return field.cell == grid::Cell::int16 && 2 * pitch > 3 * field.row_bytes;
+}
+
 void Fused::lay_out(const evolve::Field& field, const Work& work) {
-  uint16_t halo = work.halo;
-  for (size_t i = work.chain; i < work.count; ++i) halo = std::max(halo, work.sweep[i].halo);
-  const Layout layout = layout_of(field, halo);
+  halo_ = widest_halo(field, work);
+  const Layout layout = layout_of(field, halo_, work.wide);
   pitch_ = layout.pitch;
+  wide_ = work.wide && !mostly_gaps(field, pitch_);
   plane_ = pitch_ * field.height;
+  at_once_ = static_cast<uint32_t>(
+      std::max(size_t{1}, std::min(size_t{kRowsAtOnce}, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
   const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
@@ -43,9 +66,13 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   buffer_[1] = buffer_[0] + buffer;
 }
 
+// A row's number below the height, from one below twice the height.
+static uint32_t round(const evolve::Field& field, uint32_t y) { return y < field.height ? y : y - field.height; }
+
 // Rows from y on that a kernel may be given at once: they, and those around them, do not go round the torus.
 static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, uint32_t reach) {
-  const uint32_t height = field.height, before = (y + height - reach) % height, behind = (y + reach) % height;
+  if (mostly_gaps(field, pitch)) return 1;
+  const uint32_t height = field.height, before = round(field, y + height - reach), behind = round(field, y + reach);
   const uint32_t cells = static_cast<uint32_t>(field.cell == grid::Cell::bit ? pitch * 8 : pitch / 2);
   return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
 }
@@ -61,19 +88,12 @@ static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
   }
 }
 
-void Fused::load(const evolve::Field& field, const Work& work, bool chain, uint32_t rows) {
-  grid::Rows call{};
-  call.scratch = work.scratch;
-  call.n = field.width;
-  call.planes = 1;
-  call.p = work.sweep[0].p;
+void Fused::load(const evolve::Field& field, const Work& work, uint32_t rows) {
   for (; rows > 0; --rows, ++loaded_) {
-    call.y = static_cast<uint16_t>(loaded_);
     for (uint8_t i = 0; i < work.sweep[0].count; ++i) {
-      call.out[0] = evolve::row_of(field, static_cast<uint8_t>(work.sweep[0].first + i), call.y);
-      if (chain) work.sweep[0].row(call);
-      std::memcpy(row(0, i, loaded_), call.out[0], field.row_bytes);
-      wrap(field, row(0, i, loaded_), stages_[0].sweep->halo);
+      const uint8_t plane = static_cast<uint8_t>(work.sweep[0].first + i);
+      std::memcpy(row(0, i, loaded_), evolve::row_of(field, plane, static_cast<uint16_t>(loaded_)), field.row_bytes);
+      wrap(field, row(0, i, loaded_), wide_ ? halo_ : stages_[0].sweep->halo);
     }
   }
 }
@@ -85,61 +105,72 @@ void Fused::do_stage(const evolve::Field& field, const Work& work, size_t k) {
   const uint32_t height = field.height, before = k == 0 ? loaded_ : stages_[k - 1].done, ahead = 2 * stage.lag;
   const uint32_t end = before == height ? height : before > ahead ? before - ahead : 0;
   const bool last = k + 1 == stages_.size();
-  const uint16_t halo = last ? uint16_t{0} : stages_[k + 1].sweep->halo;
+  const size_t cells = field.cell == grid::Cell::bit ? pitch_ * 8 : pitch_ / 2;
+  const size_t lead = wide_ && !last ? group_bytes(field.cell, halo_) : 0;
   const uint32_t ring = 2u * sweep.radius + 1, reach = uint32_t{sweep.stride} * sweep.radius;
-  grid::Rows call{};
+  grid::Rows call;  // not zeroed: that would take as long as a row
   call.p = sweep.p;
   call.part = sweep.part;
   call.table = work.table;
   call.scratch = work.scratch;
   call.planes = sweep.count;
+  call.x = call.run = 0;
   for (uint32_t count; stage.done < end; stage.done += count) {
-    const uint32_t y = (stage.first + stage.done) % height;
+    const uint32_t y = round(field, stage.first + stage.done);
     const uint32_t most = work.rows && !last ? in_one_go(field, pitch_, y, reach) : 1;
     count = std::max(UINT32_C(1), std::min(end - stage.done, most));
-    const size_t cells = field.cell == grid::Cell::bit ? pitch_ * 8 : pitch_ / 2;
-    call.n = static_cast<uint16_t>((count - 1) * cells + field.width);
+    call.n = static_cast<uint16_t>(lead > 0 ? count * cells : (count - 1) * cells + field.width);
     for (uint8_t i = 0; i < sweep.count; ++i) {
-      for (uint32_t j = 0; j < ring; ++j)
-        call.in[i * ring + j] = row(k, i, (y + height - reach + j * sweep.stride) % height);
+      for (uint32_t j = 0, from = round(field, y + height - reach); j < ring;
+           ++j, from = round(field, from + sweep.stride))
+        call.in[i * ring + j] = row(k, i, from) - lead;
       call.out[i] = last ? evolve::row_of(field, static_cast<uint8_t>(sweep.first + i), static_cast<uint16_t>(y))
-                         : row(k + 1, i, y);
+                         : row(k + 1, i, y) - lead;
     }
     call.y = static_cast<uint16_t>(y);
     sweep.row(call);
-    for (uint8_t i = 0; i < sweep.count && halo > 0; ++i)
-      for (uint32_t j = 0; j < count; ++j) wrap(field, row(k + 1, i, y + j), halo);
+    for (uint8_t i = 0; i < sweep.count && stage.halo > 0; ++i)
+      for (uint32_t j = 0; j < count; ++j) wrap(field, row(k + 1, i, y + j), stage.halo);
   }
 }
 
-void Fused::flow(const evolve::Field& field, const Work& work, bool chain) {
+void Fused::begin_stages(const evolve::Field& field) {
   uint32_t first = 0, before = 0;
-  for (Stage& stage : stages_) {
+  uint16_t beside = wide_ ? halo_ : uint16_t{0};  // good cells
+  for (size_t k = 0; k < stages_.size(); ++k) {
+    Stage& stage = stages_[k];
     const uint32_t reach = uint32_t{stage.sweep->stride} * stage.sweep->radius;
     stage.lag = std::max(before, reach);
     before = reach;
     first += stage.lag;
     stage.first = first % field.height;
     stage.done = 0;
+    const uint16_t wanted = k + 1 < stages_.size() ? stages_[k + 1].sweep->halo : uint16_t{0};
+    beside = static_cast<uint16_t>(wide_ ? beside - stage.sweep->halo : 0);
+    stage.halo = wanted <= beside ? uint16_t{0} : wide_ ? halo_ : wanted;
+    beside = std::max(beside, stage.halo);
   }
+}
+
+void Fused::flow(const evolve::Field& field, const Work& work) {
+  begin_stages(field);
   loaded_ = 0;
   while (stages_.back().done < field.height) {
-    load(field, work, chain, std::min(kRowsAtOnce, field.height - loaded_));
+    load(field, work, std::min(at_once_, field.height - loaded_));
     for (size_t k = 0; k < stages_.size(); ++k) do_stage(field, work, k);
   }
 }
 
 void Fused::run(const evolve::Field& field, const Work& work) {
   lay_out(field, work);
-  for (size_t i = work.chain; i < work.count;) {
-    const bool chain = work.chain && i == 1;
+  for (size_t i = 0; i < work.count;) {
     stages_.clear();
     for (size_t lines = 0; i < work.count && (stages_.empty() || lines * 2 * pitch_ * work.sweep[0].count < kCache);
          ++i) {
-      lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + kRowsAtOnce;
-      stages_.push_back({work.sweep + i, 0, 0, 0});
+      lines += size_t{work.sweep[i].stride} * work.sweep[i].radius + at_once_;
+      stages_.push_back({work.sweep + i, 0, 0, 0, 0});
     }
-    flow(field, work, chain);
+    flow(field, work);
   }
 }
 

@@ -17,10 +17,9 @@ struct Block {
 // the product with 1 / b, good to 52 bits, has the same whole part.
 static void places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, int32_t* DAPPLE_RESTRICT at) {
   const double inverse = 1.0 / s.span;
-  for (uint16_t i = 0; i < kPixels; ++i) {
-    const int32_t over = base::clamp(here[i] - s.low, 0, s.span);
-    at[i] = static_cast<int32_t>((over * 4080 + 0.5) * inverse);
-  }
+  Words over;  // in a loop of its own, or compilers take branches for values that are held
+  for (uint16_t i = 0; i < kPixels; ++i) over[i] = base::clamp(here[i] - s.low, 0, s.span) * 4080;
+  for (uint16_t i = 0; i < kPixels; ++i) at[i] = static_cast<int32_t>((over[i] + 0.5) * inverse);
 }
 
 // One channel of the ramp. Stretch k counts while all stretches up to it begin at or before the place.
@@ -126,6 +125,7 @@ struct Field {
   int16_t above[kPixels], here[kPixels + 2], below[kPixels];
 };
 static void fetch(const Source& f, uint16_t x, uint16_t n, Field& field) {
+  if (n < kPixels) field = Field{};
   base::copy_bytes(field.above, f.above + x, size_t{2} * n);
   base::copy_bytes(field.here, f.here + x - 1, size_t{2} * (n + 2u));
   base::copy_bytes(field.below, f.below + x, size_t{2} * n);
@@ -138,7 +138,7 @@ static void painted_row(const grid::Rows& rows) {
   if (s.view != View::colour || s.slope >= kLargestFactor || s.slope <= -kLargestFactor) return job_row(rows);
   for (uint32_t x = 0; x < f.width; x += kPixels) {
     const uint16_t n = static_cast<uint16_t>(base::min(kPixels, static_cast<int32_t>(f.width - x)));
-    Field field{};
+    Field field;
     Block block;
     Words at;
     fetch(f, static_cast<uint16_t>(x), n, field);

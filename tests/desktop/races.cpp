@@ -16,6 +16,7 @@ int main() {
                                  "mapped map=swirl scale=1.8 stretch=2 steps=2",
                                  "mapped pairs=2 map=two-angle scale=1.8 stretch=3 steps=1",
                                  "turing steps=12",
+                                 "turing scale=6 vary=0.1 steps=9 then freeze above=4.1 steps=9",
                                  "meinhardt-stripes steps=6",
                                  "fitzhugh-nagumo stretch=2 angle=30 steps=8"};
   int wrong = 0;

@@ -4,6 +4,10 @@
 
 #include "recipes.hpp"
 
+#ifdef DAPPLE_HAS_DESKTOP
+#include "fused.hpp"
+#endif
+
 namespace cli::measure {
 
 using dapple::Domain;
@@ -57,25 +61,45 @@ dapple::evolve::Sweep pass_sweep(Kernels kernels, int32_t vx, uint16_t vy, uint1
   return s;
 }
 
-Work pass(const char* name, int32_t vx, uint16_t vy, uint16_t stride, int16_t weight) {
+// So many times the same pass, which is not what a step does, but all of it is of one direction.
+using Passes = std::function<void(Plane& plane, const dapple::evolve::Sweep& sweep, int times)>;
+
+void by_sweeps(Plane& plane, const dapple::evolve::Sweep& sweep, int times) {
+  const dapple::evolve::Field field = plane.field();
+  for (int i = 0; i < times; ++i) {
+    dapple::evolve::begin_sweep(field, sweep, &plane.band);
+    dapple::evolve::run_band(field, sweep, nullptr, 0, plane.band, UINT32_MAX);
+  }
+}
+
+Work pass(const std::string& name, int32_t vx, uint16_t vy, uint16_t stride, int16_t weight,
+          const Passes& passes = by_sweeps) {
   constexpr int kTimes = 40;
   const bool askew = vx != 0;
   return {name, "Gcell-pass/s", kTimes * 65536.0, 2, askew ? 1.0 : 3.0, askew ? 2.0 : 0.0, 0, [=](Kernels kernels) {
             const auto plane = std::make_shared<Plane>();
             const dapple::evolve::Sweep sweep = pass_sweep(kernels, vx, vy, stride, weight);
-            return [plane, sweep]() -> Done {
+            return [plane, sweep, passes]() -> Done {
               for (size_t i = 0; i < plane->cells.size(); ++i)
                 plane->cells[i] = static_cast<int16_t>(i * 40503 % 16000);
-              const dapple::evolve::Field field = plane->field();
               const double start = thread_seconds();
-              for (int i = 0; i < kTimes; ++i) {
-                dapple::evolve::begin_sweep(field, sweep, &plane->band);
-                dapple::evolve::run_band(field, sweep, nullptr, 0, plane->band, UINT32_MAX);
-              }
+              passes(*plane, sweep, kTimes);
               return {thread_seconds() - start, added(kFnv, plane->cells.data(), plane->cells.size() * 2)};
             };
           }};
 }
+
+#ifdef DAPPLE_HAS_DESKTOP
+// As the driver of ports/desktop does them: passes of a plane one after the other in cache, copies to and fro included.
+Work fused(const char* name, int32_t vx, uint16_t vy, uint16_t stride, int16_t weight) {
+  const auto work = std::make_shared<dapple::desktop::Fused>();
+  return pass(std::string(name) + ", driver", vx, vy, stride, weight,
+              [work](Plane& plane, const dapple::evolve::Sweep& sweep, int times) {
+                const std::vector<dapple::evolve::Sweep> sweeps(static_cast<size_t>(times), sweep);
+                work->run(plane.field(), {sweeps.data(), sweeps.size(), true, true, nullptr, nullptr});
+              });
+}
+#endif
 
 // --- textures
 // -----------------------------------------------------------------------------------------------------------
@@ -160,12 +184,21 @@ std::vector<Work> all_work() {
   return {pass("pass (0,1)x2, a quarter", 0, 1, 2, 16384),
           pass("pass (1,1)x1, a quarter", 1, 1, 1, 16384),
           pass("pass (-1,2)x3, a weight", -1, 2, 3, 9000),
+#ifdef DAPPLE_HAS_DESKTOP
+          fused("pass (0,1)x2, a quarter", 0, 1, 2, 16384),
+          fused("pass (1,1)x1, a quarter", 1, 1, 1, 16384),
+          fused("pass (-1,2)x3, a weight", -1, 2, 3, 9000),
+#endif
           steps("threshold zebra", "zebra", "steps=8", 256, 4),
           steps("threshold weave", "weave", "steps=4", 256, 8),
           steps("threshold zebra 2048", "zebra", "steps=2", 2048, 4),
           steps("mapped scalloped", "scalloped", "steps=2", 256, 6),
           steps("gray-scott", "mitosis", "steps=64", 256, 4, 6, 4),
           steps("gray-scott 1024", "mitosis", "steps=16", 1024, 4, 6, 4),
+          steps("turing", "turing scale=11.3 decay=12.1", "steps=48", 256, 8, 12, 8),
+          steps("turing varied", "turing scale=11.3 decay=12.1 vary=0.05", "steps=48", 256, 12, 14, 8),
+          steps("meinhardt-spots", "meinhardt-spots scale=3.162278", "steps=32", 256, 8, 12, 8),
+          steps("fitzhugh-nagumo", "fitzhugh-nagumo", "steps=48", 256, 4, 6, 4),
           steps("convolution zebra-bits", "zebra-bits", "level=0 steps=20", 256, .125),
           steps("convolution labyrinth-bits", "labyrinth-bits", "level=0 steps=20", 256, .125),
           steps("convolution weave-bits", "weave-bits", "level=0 steps=10", 256, .125),
