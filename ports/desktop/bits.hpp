@@ -1,8 +1,12 @@
 // Binary convolution a vector at a time: the templates of lib/stencil/sliced.cpp on wide words.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "strip_rows.hpp"
 
 namespace dapple::stencil {
+
+static void strip_wide(const grid::Rows& rows) { strip_words<Wide>(*static_cast<const Strip*>(rows.in[0])); }
+static void turn_wide(const grid::Rows& rows) { turn_words<Wide>(*static_cast<const Turning*>(rows.in[0])); }
 
 // Where a cell is on as soon as one mask says so, no sums need be compared: signs are enough.
 static void convolve_signs(const grid::Rows& rows, const Job<Wide>& job) {

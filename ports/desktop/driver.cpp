@@ -193,6 +193,7 @@ uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
 uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
   const evolve::Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
   if (rows / run.field.height < static_cast<uint32_t>(reach.sweeps) + reach.once) return 0;
+  if (Masks::fits(run)) return masks_.steps(run, crew_, rows);
   // Small planes: steps fused on one thread take less time than waiting for each other after every step.
   const bool small = run.field.row_bytes * run.field.height * run.model.planes(run.stage.number) <= kSmallPlanes;
   if ((crew_.size() == 1 || small) && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);

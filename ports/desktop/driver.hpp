@@ -12,6 +12,7 @@
 #include "crew.hpp"
 #include "fluxed.hpp"
 #include "fused.hpp"
+#include "masks.hpp"
 
 namespace dapple::desktop {
 
@@ -35,6 +36,7 @@ class Driver : public evolve::Driver {
 
   Crew crew_;
   std::vector<Fused> fused_;           // of each thread
+  Masks masks_;
   std::vector<evolve::Sweep> sweeps_;  // of the step
   std::vector<evolve::Sweep> passes_;  // plane after plane
   std::vector<std::pair<size_t, size_t>> planes_;

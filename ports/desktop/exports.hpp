@@ -1,4 +1,4 @@
-// The row kernels of lib/, and of fluxed.hpp, that every set has a faster one for:
+// The row kernels of lib/, and of fluxed.hpp and strips.hpp, that every set has a faster one for:
 // ROW(set, namespace, portable kernel, the set's own).
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -21,6 +21,8 @@
   ROW(set, stencil, pulled_row, pulled_row)                   \
   ROW(set, stencil, fluxed_row, fluxed_row)                   \
   ROW(set, stencil, convolve_row, convolve_wide)              \
+  ROW(set, stencil, strip_row, strip_wide)                    \
+  ROW(set, stencil, turn_row, turn_wide)                      \
   ROW(set, stencil, field_row, field_wide)                    \
   ROW(set, stencil, steer_row, steer_wide)                    \
   ROW(set, stencil, steer_field, steer_field_wide)            \

@@ -4,6 +4,7 @@
 
 #include "exports.hpp"
 #include "fluxed.hpp"
+#include "strips.hpp"
 
 #include "../../lib/evolve/kinetics.hpp"
 #include "../../lib/evolve/solver.hpp"

@@ -21,6 +21,8 @@ struct Wide {
   Wide operator&(Wide b) const { return lanes & b.lanes; }
   Wide operator|(Wide b) const { return lanes | b.lanes; }
   Wide operator^(Wide b) const { return lanes ^ b.lanes; }
+  Wide operator<<(int by) const { return lanes << by; }  // in every lane
+  Wide operator>>(int by) const { return lanes >> by; }
   Wide& operator&=(Wide b) { return *this = *this & b; }
   Wide& operator|=(Wide b) { return *this = *this | b; }
   Wide& operator^=(Wide b) { return *this = *this ^ b; }
@@ -40,12 +42,12 @@ inline L moved_down(L l, uint64_t last) {
   else return __builtin_shufflevector(l, other, 1, 2, 3, 4);
 }
 
-// Lanes hold cells in memory order on little-endian machines, which all of these are.
-inline Lanes load_lanes(const uint8_t* from) {
-  Lanes lanes;
-  base::copy_bytes(&lanes, from, sizeof lanes);
-  return lanes;
-}
+// Lanes hold cells in memory order on little-endian machines, which all of these are. By a type that may lie anywhere:
+// gcc copies bytes to a vector through the stack, in halves.
+typedef Lanes AnyLanes __attribute__((aligned(1), may_alias));
+inline Lanes load_lanes(const uint8_t* from) { return *reinterpret_cast<const AnyLanes*>(from); }
+inline void get_word(const uint8_t* from, Wide& word) { word = load_lanes(from); }
+inline void put_word(uint8_t* to, Wide word) { *reinterpret_cast<AnyLanes*>(to) = word.lanes; }
 
 // Words moved by one to eight cells: `back` holds cells x - k, `on` cells x + k. before, after: the bytes around them.
 inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
@@ -62,7 +64,7 @@ inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
 // The first bytes of a word, as many as there are left of a row.
 inline void store_cells(uint8_t* out, size_t at, uint16_t n, Wide cells) {
   const size_t bytes = (n + 7u) / 8 - at;
-  if (bytes >= sizeof cells) return base::copy_bytes(out + at, &cells, sizeof cells);
+  if (bytes >= sizeof cells) return put_word(out + at, cells);
   uint8_t all[sizeof cells];
   base::copy_bytes(all, &cells, sizeof cells);
   size_t i = 0;

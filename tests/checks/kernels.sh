@@ -26,7 +26,7 @@ program() {
   shift 2
   $compiler -std=c++17 -O1 -c "$root/lib/one.cpp" -o "$out-one.o" &&
     $compiler -std=c++17 -O1 "$@" -DDAPPLE_TABLES -I"$root/lib" -I"$desktop" "$root/tests/checks/small_goldens.cpp" \
-      "$desktop/tables.cpp" "$desktop/fluxed.cpp" "$out-one.o" -o "$out" && return
+      "$desktop"/{crew,driver,fluxed,fused,masks,strips,tables}.cpp "$out-one.o" -pthread -o "$out" && return
   fail "small_goldens does not build: $compiler $*"
   finish
 }

@@ -1,7 +1,8 @@
 // Grows every preset, and every family with each of its solvers, at the smallest size for a few steps, also coarse to fine
 // as a window of the plane and as corner tiles; sliced, banded and out of unclean memory at odd addresses; and paints it in every way.
 // Prints one line each: name WxH steps seed field pixels. tests/checks/hostile.sh compares what many compilers and
-// options make of it. With DAPPLE_TABLES its argument is a table of ports/desktop, for tests/checks/kernels.sh.
+// options make of it. With DAPPLE_TABLES its argument is a table of ports/desktop, for tests/checks/kernels.sh; what is not
+// sliced goes by the driver.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include "../grow.hpp"
 #include "corners.hpp"
 #ifdef DAPPLE_TABLES
+#include "driver.hpp"
 #include "tables.hpp"
 #endif
 
@@ -63,6 +65,10 @@ struct Tile {
     dapple::Options options;
     options.bands = way.bands;
     options.kernels = kernels;
+#ifdef DAPPLE_TABLES
+    static dapple::desktop::Driver driver(1);
+    if (way.budget == UINT32_MAX) options.driver = &driver;
+#endif
     grown = texture.begin(recipe, domain, kSeed, memory.get() + way.offset, bytes, options) == dapple::ok;
     uint8_t line[4 * kLargestSide];
     for (uint16_t y = 0; grown && texture.step(way.budget) == dapple::more; y = static_cast<uint16_t>((y + 5) % domain.height))

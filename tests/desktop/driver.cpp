@@ -104,6 +104,43 @@ TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
   }
 }
 
+TEST_CASE("driver: masks along every direction, on tori and windows of any size, by every table, threads and budgets") {
+  const char* const recipes[] = {"bits level=0 angle=90 steps=6 rho=0:0.1@0..0.5",
+                                 "bits level=0 angle=2 steps=5",
+                                 "bits level=0 angle=45 window=8 steps=5",
+                                 "bits level=0 angle=-45 window=4 scale=5 steps=5",
+                                 "bits level=0 diffusion=isotropic steps=5",
+                                 "bits level=0 masks=2 angles=0,90 rho=0.15 steps=5",
+                                 "bits level=0 masks=4 angles=0,45,90,135 window=7 rho=0.2 steps=4",
+                                 "bits level=1 masks=5 angles=9,45,81,117,153 rho=0.27 steps=4",
+                                 "bits level=0 masks=2 react=da angles=0,90 steps=4"};
+  desktop::Driver one(1), several[] = {desktop::Driver(2), desktop::Driver(3), desktop::Driver(8)};
+  for (const char* text : recipes) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    CAPTURE(std::string(text));
+    for (const dapple::Domain& domain :
+         {dapple::torus(64, 64), dapple::torus(66, 130), dapple::torus(200, 142), dapple::torus(512, 128),
+          dapple::torus(322, 258), dapple::window(-77, 5001, 90, 60), dapple::window(12, -9, 8, 300)}) {
+      CAPTURE(domain.width);
+      CAPTURE(domain.height);
+      const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+      REQUIRE(want != 0);
+      dapple::Options options;
+      for (uint8_t i = 1; i < desktop::table_count(); ++i) {
+        if (!desktop::table_at(i).runs()) continue;
+        options.kernels = desktop::table_at(i).kernels;
+        options.driver = &one;
+        for (const uint32_t budget : {UINT32_MAX, 700u, 150u})
+          CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
+      }
+      for (desktop::Driver& driver : several) {
+        options.driver = &driver;
+        CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);
+      }
+    }
+  }
+}
+
 TEST_CASE("driver: a step that does not fit the budget is done row by row, and progress counts alike") {
   desktop::Driver driver(2);
   dapple::Options options;

@@ -11,6 +11,7 @@ int main() {
   const char* const recipes[] = {"threshold pairs=2 scale=1.9 stretch=3 steps=4",
                                  "gray-scott steps=20",
                                  "bits masks=2 steps=5",
+                                 "bits masks=4 angles=0,45,90,135 level=0 rho=0.2 steps=4",
                                  "flow steps=3",
                                  "cells rule=0xB5A3C96E steps=12",
                                  "mapped map=swirl scale=1.8 stretch=2 steps=2",

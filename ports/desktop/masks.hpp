@@ -1,0 +1,49 @@
+// Steps of binary convolution (lib/evolve/convolution.hpp) where a cell is on as soon as one mask says so: every mask in
+// the world in which it takes the fewest taps (strips.hpp), the grid in memory of its own.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "../../lib/evolve/run.hpp"
+#include "crew.hpp"
+#include "strips.hpp"
+
+namespace dapple::desktop {
+
+class Masks {
+ public:
+  static bool fits(const evolve::Run& run);
+
+  // As many whole steps of the stage as `rows` rows of work allow; the rows done.
+  uint32_t steps(evolve::Run& run, Crew& crew, uint32_t rows);
+
+ private:
+  enum { upright, right, left, turned, worlds };
+
+  // Rows of a grid of width x height, and what is made of them.
+  struct Grid {
+    std::vector<uint8_t> memory;
+    stencil::BitGrid bits;
+    void lay_out(uint16_t width, uint16_t height, bool plane, bool leans);
+    void go_round(uint16_t first, uint16_t end, bool leans);
+  };
+
+  void plan(const stencil::MaskSet& set);
+  void lay_out(const evolve::Run& run);
+  void load(const evolve::Field& field);
+  void store(const evolve::Field& field);
+  bool leans() const { return world_[right].masks + world_[left].masks > 0; }
+  void one_step(const evolve::Run& run, Crew* crew);
+  void strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning);
+  void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool add);
+
+  std::vector<int8_t> weights_;    // of all masks, that the worlds were made for
+  bool over_ = false;              // the grid is kept turned over
+  stencil::World world_[worlds];
+  Grid now_, next_;                // as it is kept
+  Grid turned_now_, turned_next_;  // for the world that is turned against that
+  std::vector<uint8_t> leaning_;
+  grid::RowKernel strip_row_ = nullptr, turn_row_ = nullptr;
+};
+
+}  // namespace dapple::desktop

@@ -1,0 +1,67 @@
+// Binary convolution of whole grids, a column of vectors at a time, for the driver: sums run down the rows in registers,
+// and down rows that lean. Same bits as lib/stencil/sliced.cpp.
+//
+// A long mask changes least from one place to the next along its own direction. So sums run down the grid (0, 1), or down
+// rows that lean by a cell each to the right or left, (1, 1) and (-1, 1); a mask along x wants the grid turned over
+// (x and y exchanged). A world is a grid seen in one of these ways: of its row y, lane x holds cell x + lean y, and tap
+// (dx, dy) of a mask lies in row dy at q = dx - lean dy.
+//   D(y) = D(y - 1) + change * R,   change = the mask less the mask a row before
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "../../lib/stencil/convolve.hpp"
+
+namespace dapple::stencil {
+
+constexpr uint8_t kWidestStrip = 4 * kLargestMask + 1;  // columns of a leaning mask
+
+// A mask in a world: taps are row * columns + q - first.
+struct StripMask {
+  Taps whole, change;  // 2 radius + 1 and 2 radius + 2 rows
+  bool running;        // by `change`
+};
+
+struct World {
+  int8_t lean, first;  // first: the least q
+  uint8_t columns, radius, masks;
+  StripMask mask[kMaxMasks];
+};
+
+// Rows of one-bit cells that start with a whole word of 32 bytes. Beside a row lie eight bytes before, and eight behind
+// the last whole word; where worlds lean, as much as the row again.
+struct BitGrid {
+  uint8_t* rows;
+  size_t pitch;     // bytes
+  uint16_t height;  // row height + y is row y
+  uint32_t period;  // cell period + x is cell x; at least 64
+  uint32_t width;   // cells that are wanted of a row
+};
+
+// Rows first .. end - 1 of a step of all masks of a world: a cell is on where one of them says so.
+struct Strip {
+  const World* world;
+  BitGrid from;
+  uint8_t* to;        // row 0; rows are as far apart as those of `from`
+  bool add;           // to the cells that are on there
+  int16_t threshold;  // D > threshold
+  uint16_t first, end;
+  uint8_t* leaning;  // room for rows first .. end - 1 of a world that leans
+};
+
+// in[0]: a Strip.
+void strip_row(const grid::Rows& rows);
+
+// x and y exchanged: rows first .. end - 1, in blocks of 64, of `from` become columns of `to`, whose rows are to_pitch
+// bytes apart. There is room for whole blocks, and whole words of 32 bytes, in both.
+struct Turning {
+  const uint8_t* from;
+  uint8_t* to;
+  size_t pitch, to_pitch;
+  uint16_t first, end;
+  uint32_t width;  // cells of a row of `from`
+  bool add;        // to the cells that are on there
+};
+
+// in[0]: a Turning.
+void turn_row(const grid::Rows& rows);
+
+}  // namespace dapple::stencil
