@@ -121,8 +121,7 @@ void Texture::row(uint16_t y, int16_t* out) {
   if (frugal_ && run_.phase != evolve::Phase::done) return;
   look_again();
   if (!domain_.plane) return evolve::field_row(run_, y, out, work_);
-  const int16_t* row = field_row(y, y);
-  for (uint16_t x = 0; x < domain_.width; ++x) out[x] = row[x];
+  grid::copy_bytes(out, field_row(y, y), sizeof(int16_t) * domain_.width);
 }
 
 // Field row y with its halo, y from -1 to height. Rows are kept while nothing has moved, so that painting down a tile

@@ -1,7 +1,6 @@
 // Binary convolution a vector at a time: the templates of lib/stencil/sliced.cpp on wide words.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "strip_rows.hpp"
 
 namespace dapple::stencil {
 
@@ -45,22 +44,33 @@ static void scale_values(const int16_t* DAPPLE_RESTRICT d, int16_t* DAPPLE_RESTR
   for (uint16_t i = 0; i < n; ++i) out[i] = field_value(scale, d[i]);
 }
 
+// max_j D_j, or with min_j D_j added to it.
+static void most_of(const Job<Wide>& job, const Wide* copies, Wide* most) {
+  Wide sum[kSumBits], least[kSumBits], cells = 0;
+  for (uint8_t j = 0; j < job.count; ++j) {
+    set_number(static_cast<int16_t>(-1), sum);
+    add_taps<false>(job.taps[j], copies, sum);
+    if (j == 0) copy_sum(sum, most), copy_sum(sum, least);
+    else gather(job, j, sum, most, least, cells);
+  }
+  if (job.both) add_least(most, least);
+}
+
 static void field_wide(const grid::Rows& rows) {
   constexpr uint16_t bits = sizeof(Wide) * 8;
   const Job<Wide> job = job_of<Wide>(rows, true);
   const FieldScale scale = field_scale(job.sum);
   const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
-    Wide copies[kCells], most[kSumBits] = {}, least[kSumBits] = {}, cells = 0;
+    Wide copies[kCells], most[kSumBits];
     for (uint8_t k = 0; k < side; ++k)
       shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
-    for (uint8_t j = 0; j < job.count; ++j) {
-      Wide sum[kSumBits];
-      set_number(static_cast<int16_t>(-1), sum);
-      add_taps<false>(job.taps[j], copies, sum);
-      gather(job, j, sum, most, least, cells);
+    if (job.count == 1) {
+      set_number(static_cast<int16_t>(-1), most);
+      add_taps<false>(job.taps[0], copies, most);
+    } else {
+      most_of(job, copies, most);
     }
-    if (job.both) add_least(most, least);
     int16_t d[bits];
     store_values(most, job.both, d);
     scale_values(d, grid::out16(rows, 0) + 8 * at,

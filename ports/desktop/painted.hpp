@@ -9,7 +9,7 @@ constexpr uint16_t kPixels = 128;
 using Words = int32_t[kPixels];
 
 struct Block {
-  Words rgb[3];
+  alignas(DAPPLE_WIDE) Words rgb[3];
   Words gx, gy;  // the gradient
 };
 
@@ -22,27 +22,36 @@ static void places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, int32_t
   for (uint16_t i = 0; i < kPixels; ++i) at[i] = static_cast<int32_t>((over[i] + 0.5) * inverse);
 }
 
-// One channel of the ramp. Stretch k counts while all stretches up to it begin at or before the place.
-static void ramp_channel(const Shader& s, uint8_t c, const int32_t* DAPPLE_RESTRICT at, int32_t* DAPPLE_RESTRICT out) {
-  Words begin, from, step;
-  for (uint16_t i = 0; i < kPixels; ++i)
-    begin[i] = s.stretch[0].at, from[i] = s.stretch[0].base[c], step[i] = s.stretch[0].step[c];
-  Words alive;
-  for (uint16_t i = 0; i < kPixels; ++i) alive[i] = -1;
-  for (uint8_t k = 1; k < s.stops; ++k) {
-    const int32_t first = s.stretch[k].at, colour = s.stretch[k].base[c], slope = s.stretch[k].step[c];
-    for (uint16_t i = 0; i < kPixels; ++i) {
-      const int32_t takes = alive[i] & -(first <= at[i] >> 4);
-      alive[i] = takes;
-      begin[i] ^= (begin[i] ^ first) & takes;
-      from[i] ^= (from[i] ^ colour) & takes;
-      step[i] ^= (step[i] ^ slope) & takes;
+// Eight or four words at a time, as the set has vectors.
+typedef int32_t Few __attribute__((vector_size(DAPPLE_WIDE)));
+constexpr uint16_t kFew = DAPPLE_WIDE / 4;
+inline Few few_at(const int32_t* from) { return *reinterpret_cast<const Few*>(from); }
+inline Few chosen(Few mask, Few yes, Few no) { return no ^ ((no ^ yes) & mask); }
+
+// A channel's colour `past` 1/4080 of the ramp behind the stop of colour `from`.
+inline Few along(Few past, Few from, Few step) {
+  const Few move = (step * past + 1024) >> 8, held = (move << 16) >> 19;  // as int16, and then by 8
+  const Few sum = from + held, above = sum & ~(sum >> 31);
+  return chosen(above > 255, Few{} + 255, above);
+}
+
+// The ramp. Stretch k counts while all stretches up to it begin at or before the place.
+static void ramp_colours(const Shader& s, const int32_t* at, Block& block) {
+  for (uint16_t i = 0; i < kPixels; i = static_cast<uint16_t>(i + kFew)) {
+    const Few place = few_at(at + i), whole = place >> 4;
+    Few begin = Few{} + s.stretch[0].at, alive = Few{} - 1, from[3], step[3];
+    for (uint8_t c = 0; c < 3; ++c) from[c] = Few{} + s.stretch[0].base[c], step[c] = Few{} + s.stretch[0].step[c];
+    for (uint8_t k = 1; k < s.stops; ++k) {
+      const Stretch& stretch = s.stretch[k];
+      alive &= whole >= stretch.at;
+      begin = chosen(alive, Few{} + stretch.at, begin);
+      for (uint8_t c = 0; c < 3; ++c) {
+        from[c] = chosen(alive, Few{} + stretch.base[c], from[c]);
+        step[c] = chosen(alive, Few{} + stretch.step[c], step[c]);
+      }
     }
-  }
-  for (uint16_t i = 0; i < kPixels; ++i) {
-    const int32_t past = at[i] - 16 * begin[i], over = past < 0 ? 0 : past;
-    const int32_t move = static_cast<int16_t>((step[i] * over + 1024) >> 8);
-    out[i] = base::clamp(from[i] + (move >> 3), 0, 255);
+    const Few past = place - 16 * begin, over = past & ~(past >> 31);
+    for (uint8_t c = 0; c < 3; ++c) *reinterpret_cast<Few*>(block.rgb[c] + i) = along(over, from[c], step[c]);
   }
 }
 
@@ -140,10 +149,10 @@ static void painted_row(const grid::Rows& rows) {
     const uint16_t n = static_cast<uint16_t>(base::min(kPixels, static_cast<int32_t>(f.width - x)));
     Field field;
     Block block;
-    Words at;
+    alignas(DAPPLE_WIDE) Words at;
     fetch(f, static_cast<uint16_t>(x), n, field);
     places(s, field.here + 1, at);
-    for (uint8_t c = 0; c < 3; ++c) ramp_channel(s, c, at, block.rgb[c]);
+    ramp_colours(s, at, block);
     if (s.slope != 0) {
       slopes(s, field.here + 2, field.here, block.gx);
       slopes(s, field.below, field.above, block.gy);

@@ -25,50 +25,79 @@ DAPPLE_INLINE void ripple(W* sum, W carry) {
   }
 }
 
+// A tap among the copies: by its bytes, or by its number.
+template <class W>
+DAPPLE_INLINE W tap_at(const W* copies, const uint32_t* tap) {
+  return *reinterpret_cast<const W*>(reinterpret_cast<const uint8_t*>(copies) + *tap);
+}
+template <class W>
+DAPPLE_INLINE W tap_at(const W* copies, const uint16_t* tap) { return copies[*tap]; }
+
 // Takes `count` = 2, 4, 8 or 16 taps at `place` into the sum: a tree of full adders whose last operands are the sum's own
 // bits. carry: at place + 1, 2, 3 or 4.
-template <bool minus, uint8_t place, uint8_t count, class W>
-DAPPLE_INLINE void take_taps(W* sum, const uint8_t* c, const uint32_t* tap, W& carry) {
-  W a, b;
+template <bool minus, uint8_t place, uint8_t count, class W, class Tap>
+DAPPLE_INLINE void take_taps(W* sum, const W* copies, const Tap* tap, W& carry) {
   if constexpr (count == 2) {
-    a = *reinterpret_cast<const W*>(c + tap[0]);
-    b = *reinterpret_cast<const W*>(c + tap[1]);
-    take_two<minus>(sum[place], a, b, carry);
+    take_two<minus>(sum[place], tap_at(copies, tap), tap_at(copies, tap + 1), carry);
   } else {
     constexpr uint8_t half = count / 2, to = place + (count == 4 ? 1 : count == 8 ? 2 : 3);
-    take_taps<minus, place, half>(sum, c, tap, a);
-    take_taps<minus, place, half>(sum, c, tap + half, b);
+    W a, b;
+    take_taps<minus, place, half>(sum, copies, tap, a);
+    take_taps<minus, place, half>(sum, copies, tap + half, b);
     take_two<minus>(sum[to], a, b, carry);
   }
 }
 
-template <bool minus, uint8_t place, class W>
-DAPPLE_INLINE const uint32_t* take_list(W* sum, const uint8_t* c, const uint32_t* tap, uint8_t count) {
+template <bool minus, uint8_t place, class W, class Tap>
+DAPPLE_INLINE const Tap* take_list(W* sum, const W* copies, const Tap* tap, uint8_t count) {
   W carry;
   for (; count >= 16; count = static_cast<uint8_t>(count - 16), tap += 16) {
-    take_taps<minus, place, 16>(sum, c, tap, carry);
+    take_taps<minus, place, 16>(sum, copies, tap, carry);
     ripple<minus, place + 4>(sum, carry);
   }
   if (count & 8) {
-    take_taps<minus, place, 8>(sum, c, tap, carry);
+    take_taps<minus, place, 8>(sum, copies, tap, carry);
     ripple<minus, place + 3>(sum, carry);
     tap += 8;
   }
   if (count & 4) {
-    take_taps<minus, place, 4>(sum, c, tap, carry);
+    take_taps<minus, place, 4>(sum, copies, tap, carry);
     ripple<minus, place + 2>(sum, carry);
     tap += 4;
   }
   if (count & 2) {
-    take_taps<minus, place, 2>(sum, c, tap, carry);
+    take_taps<minus, place, 2>(sum, copies, tap, carry);
     ripple<minus, place + 1>(sum, carry);
     tap += 2;
   }
-  if (count & 1) ripple<minus, place>(sum, *reinterpret_cast<const W*>(c + *tap++));
+  if (count & 1) ripple<minus, place>(sum, tap_at(copies, tap++));
   return tap;
 }
 
-// A list of taps as bytes from the first row's copies.
+// One by one: as a loop gcc makes it a copy of bytes, which takes longer than the sum.
+template <uint8_t i = 0, class W>
+DAPPLE_INLINE void copy_sum(const W* from, W* to) {
+  to[i] = from[i];
+  if constexpr (i + 1 < kSumBits) copy_sum<i + 1>(from, to);
+}
+
+// sum += all of a mask's taps.
+template <class W, class Tap>
+DAPPLE_INLINE void take_all(const uint8_t (*count)[kPlaces], const Tap* tap, const W* copies, W* sum) {
+  W s[kSumBits];
+  copy_sum(sum, s);
+  tap = take_list<false, 0>(s, copies, tap, count[0][0]);
+  tap = take_list<false, 1>(s, copies, tap, count[0][1]);
+  tap = take_list<false, 2>(s, copies, tap, count[0][2]);
+  tap = take_list<false, 3>(s, copies, tap, count[0][3]);
+  tap = take_list<true, 0>(s, copies, tap, count[1][0]);
+  tap = take_list<true, 1>(s, copies, tap, count[1][1]);
+  tap = take_list<true, 2>(s, copies, tap, count[1][2]);
+  take_list<true, 3>(s, copies, tap, count[1][3]);
+  copy_sum(s, sum);
+}
+
+// A list of taps in bytes.
 struct Reached {
   uint8_t count[2][kPlaces];
   uint32_t at[kMaxTaps];
@@ -78,23 +107,6 @@ static void reach(const Taps& taps, Reached& reached) {
   base::copy_bytes(reached.count, taps.count, sizeof reached.count);
   const uint16_t count = count_of(taps);
   for (uint16_t i = 0; i < count; ++i) reached.at[i] = static_cast<uint32_t>(taps.index[i] * sizeof(W));
-}
-
-// sum += all of a mask's taps.
-template <class W>
-DAPPLE_INLINE void take_all(const Reached& taps, const uint8_t* c, W* sum) {
-  W s[kSumBits];
-  for (uint8_t i = 0; i < kSumBits; ++i) s[i] = sum[i];
-  const uint32_t* tap = taps.at;
-  tap = take_list<false, 0>(s, c, tap, taps.count[0][0]);
-  tap = take_list<false, 1>(s, c, tap, taps.count[0][1]);
-  tap = take_list<false, 2>(s, c, tap, taps.count[0][2]);
-  tap = take_list<false, 3>(s, c, tap, taps.count[0][3]);
-  tap = take_list<true, 0>(s, c, tap, taps.count[1][0]);
-  tap = take_list<true, 1>(s, c, tap, taps.count[1][1]);
-  tap = take_list<true, 2>(s, c, tap, taps.count[1][2]);
-  take_list<true, 3>(s, c, tap, taps.count[1][3]);
-  for (uint8_t i = 0; i < kSumBits; ++i) sum[i] = s[i];
 }
 
 // --- shifted copies --------------------------------------------------------------------------------------------------
@@ -193,14 +205,15 @@ static void strip_column(const Strip& s, uint32_t column, const Reached* whole, 
   for (int32_t y = s.first; y < s.end; ++y, to += pitch) {
     const int32_t before = y > s.first ? y - 1 - w.radius : y - w.radius;
     bring<W>(s, column, before, y + w.radius + 1, copies);
-    const uint8_t* const row = copies.bytes + copies.row * static_cast<size_t>(before - copies.top);
+    const W* const row =
+        reinterpret_cast<const W*>(copies.bytes + copies.row * static_cast<size_t>(before - copies.top));
     W cells = 0;
     for (uint8_t i = 0; i < w.masks; ++i) {
       if (w.mask[i].running && y > s.first) {
-        take_all(change[i], row, sums[i]);
+        take_all(change[i].count, change[i].at, row, sums[i]);
       } else {
         set_number(static_cast<int16_t>(-1 - s.threshold), sums[i]);
-        take_all(whole[i], y > s.first ? row + copies.row : row, sums[i]);
+        take_all(whole[i].count, whole[i].at, y > s.first ? row + w.columns : row, sums[i]);
       }
       cells |= ~sums[i][kSumBits - 1];
     }
