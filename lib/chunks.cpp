@@ -131,20 +131,30 @@ uint64_t Chunks::distance_of(int32_t cx, int32_t cy) const {
   return static_cast<uint64_t>(dx * dx + dy * dy);
 }
 
-// begin has checked all there is to check.
-void Chunks::open_nearest() {
+// The chunk in sight nearest to the middle of the view, of those that are missing; false: none is.
+bool Chunks::find_missing(int32_t& x, int32_t& y) const {
   uint64_t nearest = UINT64_MAX;
   for (int32_t cy = sight_.top; cy <= sight_.bottom; ++cy)
     for (int32_t cx = sight_.left; cx <= sight_.right; ++cx) {
       const uint64_t distance = distance_of(cx, cy);
       if (distance >= nearest || find(cx, cy) != kNoSlot) continue;
       nearest = distance;
-      cx_ = cx;
-      cy_ = cy;
+      x = cx;
+      y = cy;
     }
-  const Domain place = window(cx_ * side_, cy_ * side_, side_, side_);
-  if (preset_ != nullptr) texture_.begin(*preset_, place, seed_, memory_, memory_bytes_, options_);
-  else texture_.begin(*recipe_, place, seed_, memory_, memory_bytes_, options_);
+  return nearest != UINT64_MAX;
+}
+
+// begin has checked all there is to check.
+void Chunks::begin_texture(Texture& texture, int32_t cx, int32_t cy, uint8_t* memory, const Options& options) const {
+  const Domain place = window(cx * side_, cy * side_, side_, side_);
+  if (preset_ != nullptr) texture.begin(*preset_, place, seed_, memory, memory_bytes_, options);
+  else texture.begin(*recipe_, place, seed_, memory, memory_bytes_, options);
+}
+
+void Chunks::open_nearest() {
+  find_missing(cx_, cy_);
+  begin_texture(texture_, cx_, cy_, memory_, options_);
   options_.again = true;
   work_ = Work::growing;
 }
@@ -182,35 +192,57 @@ uint16_t Chunks::make_room() {
   return found;
 }
 
-uint32_t Chunks::paint_rows(uint32_t rows) {
+void Chunks::paint_row(Texture& texture, uint16_t y, uint8_t* pixels) const {
   const uint8_t shared = api::rows_a_line(brush_.format);
   const size_t bytes = line_bytes();
+  uint8_t* const line = pixels + y / shared * bytes;
+  if (y % shared == 0)
+    for (size_t i = 0; i < bytes; ++i) line[i] = 0;
+  texture.paint(y, brush_, line);
+}
+
+uint32_t Chunks::paint_rows(uint32_t rows) {
   uint32_t painted = 0;
-  for (; painted < rows && at_row_ < side_; ++painted, ++at_row_) {
-    uint8_t* const line = pixels_of(at_slot_) + at_row_ / shared * bytes;
-    if (at_row_ % shared == 0)
-      for (size_t i = 0; i < bytes; ++i) line[i] = 0;
-    texture_.paint(at_row_, brush_, line);
+  for (; painted < rows && at_row_ < side_; ++painted, ++at_row_) paint_row(texture_, at_row_, pixels_of(at_slot_));
+  if (at_row_ == side_) {
+    list(at_slot_, cx_, cy_);
+    work_ = Work::none;
   }
-  if (at_row_ == side_) close();
   return painted;
 }
 
-// The chunk at work is there.
-void Chunks::close() {
-  uint16_t& first = bucket_of(cx_, cy_);
-  api::ChunkSlot& slot = slot_[at_slot_];
-  slot.x = cx_;
-  slot.y = cy_;
+// The chunk is there.
+void Chunks::list(uint16_t at_slot, int32_t cx, int32_t cy) {
+  uint16_t& first = bucket_of(cx, cy);
+  api::ChunkSlot& slot = slot_[at_slot];
+  slot.x = cx;
+  slot.y = cy;
   slot.seen = now_;
   slot.next = first;
   slot.ready = true;
-  first = at_slot_;
-  work_ = Work::none;
+  first = at_slot;
   --missing_;
   ++counters_.grown;
   ++counters_.held;
   counters_.bytes += pixel_bytes_;
+}
+
+bool Chunks::take(TakenChunk& taken) {
+  if (work_ != Work::none || missing_ == 0) return false;
+  find_missing(taken.x, taken.y);
+  const uint16_t slot = make_room();
+  list(slot, taken.x, taken.y);
+  taken.pixels = pixels_of(slot);
+  return true;
+}
+
+void Chunks::fill(const TakenChunk& taken, Texture& texture, void* memory, evolve::Driver* driver, bool again) const {
+  Options options = options_;
+  options.driver = driver;
+  options.again = again;
+  begin_texture(texture, taken.x, taken.y, static_cast<uint8_t*>(memory), options);
+  texture.finish();
+  for (uint16_t y = 0; y < side_; ++y) paint_row(texture, y, taken.pixels);
 }
 
 }  // namespace dapple

@@ -129,6 +129,12 @@ constexpr size_t chunk_bytes(const Preset& preset, uint16_t side, uint16_t slots
   return chunk_need(preset, side, slots, format, bands).bytes;
 }
 
+// A chunk that somebody else grows.
+struct TakenChunk {
+  int32_t x, y;
+  uint8_t* pixels;
+};
+
 // The struct and the memory are the whole state; no destructor needed.
 class Chunks {
  public:
@@ -158,6 +164,14 @@ class Chunks {
     }
   }
 
+  // For growing several chunks at a time (ports/desktop): `take` hands out the chunk that step would begin, which counts
+  // as there from now on; false: nothing is missing, or step is in the midst of a chunk. `fill` grows and paints it by a
+  // texture and working_bytes() of memory of the caller's; again: Options::again, of that memory. Calls of fill may run at
+  // once, and beside take; all must be back before pixels are read, and before the next look_at.
+  bool take(TakenChunk& taken);
+  void fill(const TakenChunk& taken, Texture& texture, void* memory, evolve::Driver* driver, bool again) const;
+  size_t working_bytes() const { return memory_bytes_; }
+
   // A finished chunk, in sight or not, or null. Valid until the next step.
   const uint8_t* pixels(int32_t cx, int32_t cy) const;
   // Bytes from a line of pixels to the next.
@@ -179,11 +193,14 @@ class Chunks {
   uint16_t& bucket_of(int32_t cx, int32_t cy) const;
   uint8_t* pixels_of(uint16_t slot) const { return pixels_ + slot * pixel_step_; }
   uint64_t distance_of(int32_t cx, int32_t cy) const;
+  bool find_missing(int32_t& x, int32_t& y) const;
+  void begin_texture(Texture& texture, int32_t cx, int32_t cy, uint8_t* memory, const Options& options) const;
   void open_nearest();
   uint16_t make_room();
   uint32_t grow_rows(uint32_t rows);
+  void paint_row(Texture& texture, uint16_t y, uint8_t* pixels) const;
   uint32_t paint_rows(uint32_t rows);
-  void close();
+  void list(uint16_t at_slot, int32_t cx, int32_t cy);
 
   Texture texture_;                 // at work
   const Preset* preset_ = nullptr;  // one of the two

@@ -35,23 +35,33 @@ inline Few along(Few past, Few from, Few step) {
   return chosen(above > 255, Few{} + 255, above);
 }
 
+// A stretch in every word.
+struct FewStretches {
+  Few at, from[3], step[3];
+};
+
 // The ramp. Stretch k counts while all stretches up to it begin at or before the place.
 static void ramp_colours(const Shader& s, const int32_t* at, Block& block) {
+  FewStretches all[kMaxStops];
+  for (uint8_t k = 0; k < s.stops; ++k) {
+    all[k].at = Few{} + s.stretch[k].at;
+    for (uint8_t c = 0; c < 3; ++c)
+      all[k].from[c] = Few{} + s.stretch[k].base[c], all[k].step[c] = Few{} + s.stretch[k].step[c];
+  }
   for (uint16_t i = 0; i < kPixels; i = static_cast<uint16_t>(i + kFew)) {
     const Few place = few_at(at + i), whole = place >> 4;
-    Few begin = Few{} + s.stretch[0].at, alive = Few{} - 1, from[3], step[3];
-    for (uint8_t c = 0; c < 3; ++c) from[c] = Few{} + s.stretch[0].base[c], step[c] = Few{} + s.stretch[0].step[c];
+    FewStretches now = all[0];
+    Few alive = Few{} - 1;
     for (uint8_t k = 1; k < s.stops; ++k) {
-      const Stretch& stretch = s.stretch[k];
-      alive &= whole >= stretch.at;
-      begin = chosen(alive, Few{} + stretch.at, begin);
+      alive &= whole >= all[k].at;
+      now.at = chosen(alive, all[k].at, now.at);
       for (uint8_t c = 0; c < 3; ++c) {
-        from[c] = chosen(alive, Few{} + stretch.base[c], from[c]);
-        step[c] = chosen(alive, Few{} + stretch.step[c], step[c]);
+        now.from[c] = chosen(alive, all[k].from[c], now.from[c]);
+        now.step[c] = chosen(alive, all[k].step[c], now.step[c]);
       }
     }
-    const Few past = place - 16 * begin, over = past & ~(past >> 31);
-    for (uint8_t c = 0; c < 3; ++c) *reinterpret_cast<Few*>(block.rgb[c] + i) = along(over, from[c], step[c]);
+    const Few past = place - 16 * now.at, over = past & ~(past >> 31);
+    for (uint8_t c = 0; c < 3; ++c) *reinterpret_cast<Few*>(block.rgb[c] + i) = along(over, now.from[c], now.step[c]);
   }
 }
 

@@ -1,11 +1,30 @@
-// Textures of every family on 1, 2, 3 and 8 threads, for a build under the thread sanitizer (tests/checks/threads.sh):
+// Textures of every family, and chunks of the plane, on 1, 2, 3 and 8 threads, for a build under the thread sanitizer (tests/checks/threads.sh):
 // it ends well if all have the same bytes, and the sanitizer saw no race.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
 #include "../grow.hpp"
-#include "driver.hpp"
+#include "growers.hpp"
 #include "tables.hpp"
+
+static uint64_t hash_of_chunks(const dapple::Recipe& recipe, unsigned threads) {
+  constexpr uint16_t kSide = 64, kSlots = 12;
+  const dapple::Brush brush;
+  std::vector<uint8_t> memory(dapple::chunk_bytes(recipe, kSide, kSlots, brush.format));
+  dapple::Options options;
+  options.kernels = dapple::desktop::best_table().kernels;
+  dapple::Chunks chunks;
+  if (chunks.begin(recipe, 3, kSide, kSlots, brush, memory.data(), memory.size(), options) != dapple::ok) return 0;
+  dapple::desktop::Growers growers(threads);
+  growers.begin(chunks);
+  chunks.look_at(-70, -10, 200, 130);
+  growers.grow();
+  tests::Fnv fnv;
+  for (int32_t cy = chunks.sight().top; cy <= chunks.sight().bottom; ++cy)
+    for (int32_t cx = chunks.sight().left; cx <= chunks.sight().right; ++cx)
+      for (size_t i = 0; i < kSide * chunks.line_bytes(); ++i) fnv.byte(chunks.pixels(cx, cy)[i]);
+  return fnv.value;
+}
 
 int main() {
   const char* const recipes[] = {"threshold pairs=2 scale=1.9 stretch=3 steps=4",
@@ -36,5 +55,13 @@ int main() {
       std::printf("%s on %u threads: other bytes than on one, or refused\n", text, threads);
     }
   }
+  for (const char* text : {"bits masks=3 angles=0,45,90 rho=0.2 steps=4", "flow steps=2", "cells rule=0xB5A3C96E steps=5"})
+    for (const unsigned threads : {2u, 3u, 8u}) {
+      const dapple::Recipe recipe = tests::recipe_of(text);
+      const uint64_t want = hash_of_chunks(recipe, 1);
+      if (want != 0 && hash_of_chunks(recipe, threads) == want) continue;
+      ++wrong;
+      std::printf("chunks of %s on %u threads: other bytes than on one, or refused\n", text, threads);
+    }
   return wrong == 0 ? 0 : 1;
 }

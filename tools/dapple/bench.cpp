@@ -8,6 +8,7 @@
 #include "bench_work.hpp"
 #include "commands.hpp"
 #include "errors.hpp"
+#include "chunks.hpp"
 #include "output.hpp"
 #include "tile.hpp"
 
@@ -171,6 +172,48 @@ void print_presets(const Options& options, bool wanted_all) {
   }
 }
 
+// Seconds on the wall for 8 x 8 chunks of the plane, painted as rgb565.
+std::function<double()> planting(const dapple::Recipe& recipe, uint8_t threads, std::shared_ptr<uint64_t> hash) {
+  constexpr uint16_t kSide = 128, kAcross = 8, kSlots = kAcross * kAcross;
+  struct Cache {
+    dapple::Recipe recipe;
+    dapple::Chunks chunks;
+    std::vector<uint8_t> memory;
+    std::function<uint32_t(uint32_t)> grow;
+  };
+  dapple::Brush brush;
+  brush.format = dapple::Pixels::rgb565;
+  const auto cache = std::make_shared<Cache>();
+  cache->recipe = recipe;
+  cache->memory.resize(dapple::chunk_bytes(recipe, kSide, kSlots, brush.format));
+  dapple::Options options;
+  options.kernels = best_kernels();
+  cache->chunks.begin(cache->recipe, 1337, kSide, kSlots, brush, cache->memory.data(), cache->memory.size(), options);
+  cache->grow = growers_of(cache->chunks, threads);
+  return [cache, hash, at = int32_t{0}]() mutable {
+    at = (at + 1) % 50;
+    cache->chunks.look_at(at * kSide * kAcross, 0, kSide * kAcross, kSide * kAcross);
+    const double start = wall_seconds();
+    while (cache->grow(UINT32_MAX) > 0) {
+    }
+    const double seconds = wall_seconds() - start;
+    for (int32_t cy = 0; cy < kAcross; ++cy)
+      for (int32_t cx = at * kAcross; cx < (at + 1) * kAcross; ++cx)
+        *hash = hashed(*hash, cache->chunks.pixels(cx, cy), size_t{2} * kSide * kSide);
+    return seconds;
+  };
+}
+
+void print_chunks() {
+  const dapple::Recipe recipe = dapple::load(*dapple::find_preset("zebra-bits"));
+  const auto one = std::make_shared<uint64_t>(0), two = std::make_shared<uint64_t>(0);
+  const std::vector<Seconds> s = take_turns({planting(recipe, 1, one), planting(recipe, 2, two)}, kRounds);
+  if (*one != *two) fail("bench: chunks have other bytes on two threads than on one");
+  std::printf("\nChunks of 128 x 128, zebra-bits painted as rgb565, by the best kernels: %.0f a second on one thread, %.0f on "
+              "two, %.2f times as many.\n",
+              64 / s[0].least, 64 / s[1].least, s[0].least / s[1].least);
+}
+
 // The work that has one of the words in its name; all of it if there are none.
 std::vector<Work> wanted_work(const std::vector<std::string>& words) {
   std::vector<Work> wanted;
@@ -189,7 +232,7 @@ void bench(const Options& options) {
   const bool all = options.wanted.empty();
   const auto is_preset = [](const std::string& word) { return dapple::find_preset(word.c_str()) != nullptr; };
   const bool presets = all ? options.markdown : std::any_of(options.wanted.begin(), options.wanted.end(), is_preset);
-  if (wanted.empty() && !presets) refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
+  if (wanted.empty() && !presets && options.wanted[0] != "chunks") refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
   if (!options.json) print_limits(tables, limits_of_all(tables), options.markdown);
   if (!wanted.empty() && !options.json) print_head(options.markdown);
   std::vector<Row> rows;
@@ -199,7 +242,8 @@ void bench(const Options& options) {
       rows.push_back(row);
     }
   if (options.json) print_json(rows);
-  else if (presets) print_presets(options, all);
+  else if (all || options.wanted[0] == "chunks") print_chunks();
+  if (!options.json && presets) print_presets(options, all);
   finish_standard_output();
 }
 

@@ -13,7 +13,7 @@ namespace cli::measure {
 using dapple::Domain;
 using dapple::Recipe;
 
-static uint64_t added(uint64_t hash, const void* bytes, size_t count) {
+uint64_t hashed(uint64_t hash, const void* bytes, size_t count) {
   for (size_t i = 0; i < count; ++i) hash = (hash ^ static_cast<const uint8_t*>(bytes)[i]) * UINT64_C(0x100000001b3);
   return hash;
 }
@@ -84,7 +84,7 @@ Work pass(const std::string& name, int32_t vx, uint16_t vy, uint16_t stride, int
                 plane->cells[i] = static_cast<int16_t>(i * 40503 % 16000);
               const double start = thread_seconds();
               passes(*plane, sweep, kTimes);
-              return {thread_seconds() - start, added(kFnv, plane->cells.data(), plane->cells.size() * 2)};
+              return {thread_seconds() - start, hashed(kFnv, plane->cells.data(), plane->cells.size() * 2)};
             };
           }};
 }
@@ -128,7 +128,7 @@ struct Grower {
     uint64_t hash = kFnv;
     for (uint16_t y = 0; y < domain.height; ++y) {
       texture.row(y, row.data());
-      hash = added(hash, row.data(), row.size() * 2);
+      hash = hashed(hash, row.data(), row.size() * 2);
     }
     return hash;
   }
@@ -172,7 +172,7 @@ Work window(const std::string& name, const std::string& preset, const std::strin
                 else grower->texture.row(y, reinterpret_cast<int16_t*>(row));
               }
               const double seconds = thread_seconds() - start;
-              return {seconds, added(kFnv, pixels->data(), size_t{2} * side * side)};
+              return {seconds, hashed(kFnv, pixels->data(), size_t{2} * side * side)};
             };
           }};
 }

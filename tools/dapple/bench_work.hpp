@@ -23,6 +23,9 @@ struct Work {
   std::function<std::function<Done()>(Kernels)> with;  // made for a table
 };
 
+// Goes on with a hash over bytes.
+uint64_t hashed(uint64_t hash, const void* bytes, size_t count);
+
 // All of them, those of presets last.
 std::vector<Work> all_work();
 

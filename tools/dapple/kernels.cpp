@@ -6,6 +6,7 @@
 
 #ifdef DAPPLE_HAS_DESKTOP
 #include "driver.hpp"
+#include "growers.hpp"
 #include "tables.hpp"
 #endif
 
@@ -33,6 +34,12 @@ Kernels kernels_named(const std::string& name) {
          (table != nullptr ? "; this processor does not have the others" : ""));
 }
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads) { return std::make_shared<Driver>(threads); }
+
+std::function<uint32_t(uint32_t)> growers_of(dapple::Chunks& chunks, uint8_t threads) {
+  const auto growers = std::make_shared<Growers>(threads);
+  growers->begin(chunks);
+  return [growers](uint32_t most) { return growers->grow(most); };
+}
 #else
 std::vector<std::string> kernel_names() { return {"portable"}; }
 
@@ -44,6 +51,15 @@ Kernels kernels_named(const std::string& name) {
 }
 
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t) { return nullptr; }
+
+std::function<uint32_t(uint32_t)> growers_of(dapple::Chunks& chunks, uint8_t) {
+  return [&chunks](uint32_t most) {
+    const uint32_t before = chunks.counters().grown;
+    while (chunks.counters().grown - before < most && chunks.step(1024) == dapple::more) {
+    }
+    return chunks.counters().grown - before;
+  };
+}
 #endif
 
 }  // namespace cli

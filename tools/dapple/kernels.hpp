@@ -2,11 +2,12 @@
 // Neither changes a byte.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "../../lib/evolve/run.hpp"
+#include "../../lib/chunks.hpp"
 
 namespace cli {
 
@@ -23,5 +24,9 @@ std::vector<std::string> kernel_names();
 
 // Null where there are no threads: bands are done one after the other.
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads);
+
+// Grows at most so many of the chunks that are missing in sight, whole ones, on threads where there are any; says how many.
+// For a cache that has begun, till it begins anew.
+std::function<uint32_t(uint32_t most)> growers_of(dapple::Chunks& chunks, uint8_t threads);
 
 }  // namespace cli

@@ -252,7 +252,8 @@ const Option kOptions[] = {
     {"--repeat", "CxR", in_grow, "write the tile repeated, C columns and R rows", read_repeat},
     {"--budget", "ROWS", in_grow | in_tiles | in_surface, "rows of work at once; never changes the bytes",
      [](Options& o, const std::string& v) { o.budget = number("--budget", v, 1, UINT32_MAX); }},
-    {"--threads", "N", in_grow | in_info | in_tiles | in_surface, "1 to 64 threads, each with bands of rows of its own; never changes the bytes (1)",
+    {"--threads", "N", in_grow | in_info | in_tiles | in_surface | in_stream,
+     "1 to 64 threads, each with bands of rows (stream: chunks) of its own; never changes the bytes (1)",
      [](Options& o, const std::string& v) {
        o.bands = static_cast<uint8_t>(number("--threads", v, 1, dapple::kMaxBands));
      }},

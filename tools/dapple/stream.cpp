@@ -77,7 +77,8 @@ class Camera {
 // The plane through a cache large enough for the view and as much again.
 class World {
  public:
-  World(const Subject& subject, uint32_t seed) : recipe_(subject.recipe), seed_(seed) {
+  World(const Subject& subject, uint32_t seed, uint8_t threads)
+      : recipe_(subject.recipe), seed_(seed), threads_(threads) {
     const uint32_t halo = dapple::need_for(recipe_, dapple::window(0, 0, kSides[0], kSides[0])).halo;
     for (const uint16_t side : kSides)
       if (side_ < halo) side_ = side;
@@ -96,6 +97,15 @@ class World {
     options.kernels = best_kernels();
     if (chunks_.begin(recipe_, seed_, side_, static_cast<uint16_t>(slots), brush_, memory_.data(), bytes, options) != dapple::ok)
       fail("the chunks of this recipe cannot be grown");
+    grow_ = growers_of(chunks_, threads_);
+  }
+
+  // A slice of what is missing in sight: rows of one chunk, or on several threads a chunk each. False: nothing is missing.
+  bool grow_some() { return threads_ == 1 ? chunks_.step(kSlice) == dapple::more : grow_(threads_) > 0; }
+  // All of it.
+  void grow_all() {
+    while (grow_(UINT32_MAX) > 0) {
+    }
   }
 
   void look_at(Place place) {
@@ -137,11 +147,13 @@ class World {
 
   dapple::Recipe recipe_;
   uint32_t seed_;
+  uint8_t threads_;
   uint16_t side_ = kSides[0];
   View view_{};
   Place place_{};
   dapple::Brush brush_;
   dapple::Chunks chunks_;
+  std::function<uint32_t(uint32_t)> grow_;
   std::vector<uint8_t> memory_, pixels_;
 };
 
@@ -199,7 +211,7 @@ void play(const Options& options, const Subject& subject, World& world, Camera& 
     if (wanted != view) world.resize(view = wanted);
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(kSlice) == dapple::more && steady_clock::now() < start + kGrowTime) {
+    while (world.grow_some() && steady_clock::now() < start + kGrowTime) {
     }
     const size_t columns = static_cast<size_t>(size.columns);
     std::string line =
@@ -218,8 +230,7 @@ void print(const Options& options, const Subject& subject, World& world, Camera&
   for (uint32_t frame = 1; frame <= frames; ++frame) {
     camera.fly(view);
     world.look_at(camera.place());
-    while (world.chunks().step(options.budget == 0 ? 1024 : options.budget) == dapple::more) {
-    }
+    world.grow_all();
     const std::string line = caption(subject, world.chunks(), camera.place(), frame, view.width, "");
     std::fputs((world.text("\n") + line + "\n").c_str(), stdout);
     finish_standard_output();
@@ -237,7 +248,7 @@ void stream(const Options& options) {
   if (options.width != 0) view = {options.width, even(options.height)};
   const Place start = options.at.value_or(Place{0, 0});
   need_of(subject, dapple::window(start.x, start.y, view.width, view.height), 1);  // refuses what the plane is not for
-  World world(subject, options.seed);
+  World world(subject, options.seed, options.bands);
   Camera camera(start);
   if (on_terminal()) play(options, subject, world, camera);
   else print(options, subject, world, camera, view);
