@@ -91,8 +91,9 @@ template <uint8_t n> struct StoredMasks {
   Taps taps[n];
 };
 
-// The weights of mask i back from its taps.
-constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight);
+// The weights of a mask back from its taps; those of mask i.
+constexpr void weights_of(const Taps& whole, uint8_t radius, int8_t* weight);
+constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) { weights_of(whole_of(set, i), set.radius, weight); }
 
 }  // namespace dapple::stencil
 

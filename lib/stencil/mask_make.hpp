@@ -220,10 +220,9 @@ constexpr bool make_masks(const MaskShape* shapes, uint8_t count, bool summed, b
   return make_set(masks, count, running, set);
 }
 
-constexpr void weights_of(const MaskSet& set, uint8_t i, int8_t* weight) {
-  const uint16_t side = static_cast<uint16_t>(2 * set.radius + 1);
+constexpr void weights_of(const Taps& taps, uint8_t radius, int8_t* weight) {
+  const uint16_t side = static_cast<uint16_t>(2 * radius + 1);
   for (uint16_t k = 0; k < side * side; ++k) weight[k] = 0;
-  const Taps& taps = whole_of(set, i);
   uint16_t at = 0;
   for (uint8_t negative = 0; negative < 2; ++negative)
     for (uint8_t place = 0; place < kPlaces; ++place)

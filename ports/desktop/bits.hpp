@@ -56,9 +56,8 @@ static void most_of(const Job<Wide>& job, const Wide* copies, Wide* most) {
   if (job.both) add_least(most, least);
 }
 
-static void field_wide(const grid::Rows& rows) {
+static void field_of(const grid::Rows& rows, const Job<Wide>& job) {
   constexpr uint16_t bits = sizeof(Wide) * 8;
-  const Job<Wide> job = job_of<Wide>(rows, true);
   const FieldScale scale = field_scale(job.sum);
   const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
@@ -77,5 +76,17 @@ static void field_wide(const grid::Rows& rows) {
                  static_cast<uint16_t>(base::min(bits, static_cast<int32_t>(rows.n - 8 * at))), scale);
   }
 }
+
+static void field_wide(const grid::Rows& rows) { field_of(rows, job_of<Wide>(rows, true)); }
+static void field_stored_wide(const grid::Rows& rows) { field_of(rows, stored_job<Wide>(rows, true)); }
+
+static void lean_of(const grid::Rows& rows, const Job<Wide>& job) {
+  for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
+    Wide most[kSumBits] = {};
+    store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word<false>(rows, job, at, most));
+  }
+}
+static void lean_wide(const grid::Rows& rows) { lean_of(rows, job_of<Wide>(rows, false)); }
+static void stored_wide(const grid::Rows& rows) { lean_of(rows, stored_job<Wide>(rows, false)); }
 
 }  // namespace dapple::stencil

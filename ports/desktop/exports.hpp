@@ -23,7 +23,10 @@
   ROW(set, stencil, convolve_row, convolve_wide)              \
   ROW(set, stencil, strip_row, strip_wide)                    \
   ROW(set, stencil, turn_row, turn_wide)                      \
+  ROW(set, stencil, convolve_lean, lean_wide)                 \
+  ROW(set, stencil, convolve_stored, stored_wide)             \
   ROW(set, stencil, field_row, field_wide)                    \
+  ROW(set, stencil, field_stored, field_stored_wide)          \
   ROW(set, stencil, steer_row, steer_wide)                    \
   ROW(set, stencil, steer_field, steer_field_wide)            \
   ROW(set, threshold, impulse_row, impulse_row)               \

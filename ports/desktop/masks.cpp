@@ -18,11 +18,21 @@ constexpr uint32_t kOwnWorld = 20;      // taps that a world of its own costs
 constexpr uint32_t kSmallGrid = 16384;  // cells; below, a step is not worth two threads
 
 bool Masks::fits(const evolve::Run& run) {
-  if (run.solver.next != &evolve::sliced_next) return false;
+  const auto next = run.solver.next;
+  if (next != &evolve::sliced_next && next != &evolve::lean_next && next != &evolve::stored_next) return false;
   if (grid::choose(run.kernels, stencil::strip_row) == &stencil::strip_row) return false;
   const int32_t* const number = run.stage.number;
   const bool signs = number[bits::react] == stencil::max_difference || number[bits::masks] <= 2;
   return signs && (run.domain.plane || (run.field.width >= kLeastSide && run.field.height >= kLeastSide));
+}
+
+Masks::Given Masks::given(const evolve::Run& run) {
+  if (run.solver.next == &evolve::stored_next) {
+    const auto& masks = *static_cast<const stencil::StoredMasks<1>*>(run.stage.stored);
+    return {masks.set.count, masks.set.radius, masks.set.sum, masks.taps};
+  }
+  const stencil::MaskSet& set = *reinterpret_cast<const stencil::MaskSet*>(run.table);
+  return {set.count, set.radius, set.sum, set.whole};
 }
 
 // --- worlds ----------------------------------------------------------------------------------------------------------
@@ -90,10 +100,10 @@ constexpr int kLean[] = {0, 1, -1, 0};  // of the worlds
 }  // namespace
 
 // Every mask in the world where it takes the fewest taps, with the grid kept so that they are fewest in all.
-void Masks::plan(const stencil::MaskSet& set) {
+void Masks::plan(const Given& set) {
   const size_t cells = (2u * set.radius + 1) * (2u * set.radius + 1);
   std::vector<int8_t> weights(cells * set.count);
-  for (uint8_t i = 0; i < set.count; ++i) stencil::weights_of(set, i, &weights[i * cells]);
+  for (uint8_t i = 0; i < set.count; ++i) stencil::weights_of(set.taps[i], set.radius, &weights[i * cells]);
   if (weights == weights_) return;
   uint8_t choice[2][stencil::kMaxMasks];
   uint32_t cost[2] = {0, 0};
@@ -202,7 +212,7 @@ void Masks::turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool 
 
 void Masks::strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning) {
   const Grid &from = world == turned ? turned_now_ : now_, &to = world == turned ? turned_next_ : next_;
-  const int16_t threshold = stencil::threshold_of(run.sweep.p[1], reinterpret_cast<const stencil::MaskSet*>(run.table)->sum);
+  const int16_t threshold = stencil::threshold_of(run.sweep.p[1], given(run).sum);
   const stencil::Strip strip = {&world_[world], from.bits, to.bits.rows, add, threshold, first, end, leaning};
   grid::Rows call{};
   call.in[0] = &strip;
@@ -247,7 +257,7 @@ uint32_t Masks::steps(evolve::Run& run, Crew& crew, uint32_t rows) {
   const evolve::Field& field = run.field;
   strip_row_ = grid::choose(run.kernels, stencil::strip_row);
   turn_row_ = grid::choose(run.kernels, stencil::turn_row);
-  plan(*reinterpret_cast<const stencil::MaskSet*>(run.table));
+  plan(given(run));
   lay_out(run);
   load(field);
   const bool alone = crew.size() == 1 || uint32_t{field.width} * field.height < kSmallGrid;

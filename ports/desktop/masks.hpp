@@ -28,7 +28,15 @@ class Masks {
     void go_round(uint16_t first, uint16_t end, bool leans);
   };
 
-  void plan(const stencil::MaskSet& set);
+  // The masks of a stage, made when it began or stored.
+  struct Given {
+    uint8_t count, radius;
+    int16_t sum;
+    const stencil::Taps* taps;
+  };
+  static Given given(const evolve::Run& run);
+
+  void plan(const Given& set);
   void lay_out(const evolve::Run& run);
   void load(const evolve::Field& field);
   void store(const evolve::Field& field);

@@ -7,6 +7,7 @@
 
 #include "../grow.hpp"
 #include "growers.hpp"
+#include "ready.hpp"
 #include "tables.hpp"
 
 namespace desktop = dapple::desktop;
@@ -96,4 +97,39 @@ TEST_CASE("growers: some at a time, the nearest first; none while a step is in t
   CHECK(growers.grow() == 4);
   CHECK(cache.chunks.missing() == 0);
   CHECK(cache.chunks.counters().grown == 9);
+}
+
+TEST_CASE("ready: masks made once, the same bytes by every table, with a driver and without, in any budget") {
+  desktop::Driver driver(1);
+  for (const char* text : {"bits steps=6", "bits masks=5 angles=9,45,81,117,153 rho=0.27 window=5 steps=4",
+                           "bits masks=2 react=da angles=0,90 steps=5", "bits masks=3 react=da angles=0,60,120 steps=3",
+                           "bits diffusion=isotropic level=2 steps=4", "cells rule=0xfee8e880 steps=4"}) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    const desktop::Ready ready(recipe);
+    CAPTURE(std::string(text));
+    CHECK((ready.recipe().stage[0].stored != nullptr) == (recipe.stage[0].model == &dapple::bits_model));
+    for (const dapple::Domain& domain : {dapple::window(-1000, 77, 100, 60), dapple::torus(164, 132)}) {
+      const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
+      REQUIRE(want != 0);
+      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
+        if (!desktop::table_at(i).runs()) continue;
+        dapple::Options options;
+        options.kernels = desktop::table_at(i).kernels;
+        for (const uint32_t budget : {UINT32_MAX, 45u}) {
+          options.driver = nullptr;
+          CHECK(tests::field_hash_of(ready.recipe(), domain, kSeed, options, budget) == want);
+          options.driver = &driver;
+          CHECK(tests::field_hash_of(ready.recipe(), domain, kSeed, options, budget) == want);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("ready: what would be refused stays as it is") {
+  dapple::Recipe recipe = tests::recipe_of("bits steps=6");
+  recipe.stage[0].number[dapple::bits::masks] = 6;
+  CHECK(desktop::Ready(recipe).recipe().stage[0].stored == nullptr);
+  recipe.stages = 0;
+  CHECK(desktop::Ready(recipe).recipe().stages == 0);
 }

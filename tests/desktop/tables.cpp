@@ -37,6 +37,8 @@ constexpr const char* kRecipes[] = {
     "bits masks=3 angles=10,70,130 window=8 level=0 rho=0.2 steps=4",
     "bits masks=2 react=da angles=0,90 level=0 steps=5",
     "bits masks=5 react=da angles=0,36,72,108,144 level=0 steps=3",
+    "bits masks=3 angles=10,70,130 solver=lean level=0 rho=0.2 steps=4",
+    "bits masks=3 react=da angles=0,60,120 solver=lean level=0 steps=3",
     "flow threads=2 angles=0,90 level=0 steps=3",
     "cells rule=0xB5A3C96E steps=9",
     "cells rule=0x12345678 steps=9",

@@ -176,7 +176,7 @@ void print_presets(const Options& options, bool wanted_all) {
 std::function<double()> planting(const dapple::Recipe& recipe, uint8_t threads, std::shared_ptr<uint64_t> hash) {
   constexpr uint16_t kSide = 128, kAcross = 8, kSlots = kAcross * kAcross;
   struct Cache {
-    dapple::Recipe recipe;
+    std::shared_ptr<const dapple::Recipe> recipe;
     dapple::Chunks chunks;
     std::vector<uint8_t> memory;
     std::function<uint32_t(uint32_t)> grow;
@@ -184,11 +184,11 @@ std::function<double()> planting(const dapple::Recipe& recipe, uint8_t threads, 
   dapple::Brush brush;
   brush.format = dapple::Pixels::rgb565;
   const auto cache = std::make_shared<Cache>();
-  cache->recipe = recipe;
-  cache->memory.resize(dapple::chunk_bytes(recipe, kSide, kSlots, brush.format));
+  cache->recipe = ready_of(recipe);
+  cache->memory.resize(dapple::chunk_bytes(*cache->recipe, kSide, kSlots, brush.format));
   dapple::Options options;
   options.kernels = best_kernels();
-  cache->chunks.begin(cache->recipe, 1337, kSide, kSlots, brush, cache->memory.data(), cache->memory.size(), options);
+  cache->chunks.begin(*cache->recipe, 1337, kSide, kSlots, brush, cache->memory.data(), cache->memory.size(), options);
   cache->grow = growers_of(cache->chunks, threads);
   return [cache, hash, at = int32_t{0}]() mutable {
     at = (at + 1) % 50;

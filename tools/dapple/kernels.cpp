@@ -7,6 +7,7 @@
 #ifdef DAPPLE_HAS_DESKTOP
 #include "driver.hpp"
 #include "growers.hpp"
+#include "ready.hpp"
 #include "tables.hpp"
 #endif
 
@@ -35,6 +36,11 @@ Kernels kernels_named(const std::string& name) {
 }
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads) { return std::make_shared<Driver>(threads); }
 
+std::shared_ptr<const dapple::Recipe> ready_of(const dapple::Recipe& recipe) {
+  const auto ready = std::make_shared<Ready>(recipe);
+  return {ready, &ready->recipe()};
+}
+
 std::function<uint32_t(uint32_t)> growers_of(dapple::Chunks& chunks, uint8_t threads) {
   const auto growers = std::make_shared<Growers>(threads);
   growers->begin(chunks);
@@ -51,6 +57,10 @@ Kernels kernels_named(const std::string& name) {
 }
 
 std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t) { return nullptr; }
+
+std::shared_ptr<const dapple::Recipe> ready_of(const dapple::Recipe& recipe) {
+  return std::make_shared<dapple::Recipe>(recipe);
+}
 
 std::function<uint32_t(uint32_t)> growers_of(dapple::Chunks& chunks, uint8_t) {
   return [&chunks](uint32_t most) {

@@ -78,7 +78,7 @@ class Camera {
 class World {
  public:
   World(const Subject& subject, uint32_t seed, uint8_t threads)
-      : recipe_(subject.recipe), seed_(seed), threads_(threads) {
+      : ready_(ready_of(subject.recipe)), recipe_(*ready_), seed_(seed), threads_(threads) {
     const uint32_t halo = dapple::need_for(recipe_, dapple::window(0, 0, kSides[0], kSides[0])).halo;
     for (const uint16_t side : kSides)
       if (side_ < halo) side_ = side;
@@ -100,8 +100,12 @@ class World {
     grow_ = growers_of(chunks_, threads_);
   }
 
-  // A slice of what is missing in sight: rows of one chunk, or on several threads a chunk each. False: nothing is missing.
-  bool grow_some() { return threads_ == 1 ? chunks_.step(kSlice) == dapple::more : grow_(threads_) > 0; }
+  // A slice of what is missing in sight: a chunk a thread, but on one thread, where windows are in blocks and take long,
+  // rows of one. False: nothing is missing.
+  bool grow_some() {
+    const bool long_ones = dapple::need_for(recipe_, dapple::window(0, 0, side_, side_)).block != 0;
+    return threads_ == 1 && long_ones ? chunks_.step(kSlice) == dapple::more : grow_(threads_) > 0;
+  }
   // All of it.
   void grow_all() {
     while (grow_(UINT32_MAX) > 0) {
@@ -145,7 +149,8 @@ class World {
           size_t{3} * static_cast<size_t>(end - first));
   }
 
-  dapple::Recipe recipe_;
+  std::shared_ptr<const dapple::Recipe> ready_;
+  const dapple::Recipe& recipe_;
   uint32_t seed_;
   uint8_t threads_;
   uint16_t side_ = kSides[0];
