@@ -164,10 +164,10 @@ class Chunks {
     }
   }
 
-  // For growing several chunks at a time (ports/desktop): `take` hands out the chunk that step would begin, which counts
-  // as there from now on; false: nothing is missing, or step is in the midst of a chunk. `fill` grows and paints it by a
-  // texture and working_bytes() of memory of the caller's; again: Options::again, of that memory. Calls of fill may run at
-  // once, and beside take; all must be back before pixels are read, and before the next look_at.
+  // For growing several chunks at a time (ports/desktop): `take` hands out the chunk that step would begin, which
+  // counts as there from now on; false: nothing is missing, or step is in the midst of a chunk. `fill` grows and paints
+  // it by a texture and working_bytes() of memory of the caller's; again: Options::again, of that memory. Calls of fill
+  // may run at once, and beside take; all must be back before pixels are read, and before the next look_at.
   bool take(TakenChunk& taken);
   void fill(const TakenChunk& taken, Texture& texture, void* memory, evolve::Driver* driver, bool again) const;
   size_t working_bytes() const { return memory_bytes_; }

@@ -20,8 +20,8 @@ class Growers {
   // For this cache, which must outlive its use, till the next begin.
   void begin(Chunks& chunks);
 
-  // At most `most` of the chunks that are missing in sight, the nearest first; how many. None while Chunks::step is in the
-  // midst of one.
+  // At most `most` of the chunks that are missing in sight, the nearest first; how many. None while Chunks::step is in
+  // the midst of one.
   uint32_t grow(uint32_t most = UINT32_MAX);
 
  private:

@@ -54,7 +54,9 @@ struct Seen {
   int widest() const { return radius * (lean == 0 ? 1 : 2); }
 };
 
-uint32_t units(int weight) { return static_cast<uint32_t>(__builtin_popcount(static_cast<unsigned>(std::abs(weight)))); }
+uint32_t units(int weight) {
+  return static_cast<uint32_t>(__builtin_popcount(static_cast<unsigned>(std::abs(weight))));
+}
 
 struct Counts {
   uint32_t whole = 0, change = 0;
@@ -233,7 +235,8 @@ static void in_parts(Crew* crew, uint16_t from, uint16_t to, uint16_t whole, con
 void Masks::one_step(const evolve::Run& run, Crew* crew) {
   const uint16_t margin = run.sweep.margin, height = now_.bits.height, width = static_cast<uint16_t>(now_.bits.width);
   const bool turns = world_[turned].masks > 0, goes_round = !run.domain.plane || leans();
-  if (goes_round) in_parts(crew, 0, height, 1, [&](uint16_t first, uint16_t end) { now_.go_round(first, end, leans()); });
+  if (goes_round)
+    in_parts(crew, 0, height, 1, [&](uint16_t first, uint16_t end) { now_.go_round(first, end, leans()); });
   bool add = false;
   for (uint8_t k = upright; k < turned; ++k) {
     if (world_[k].masks == 0) continue;

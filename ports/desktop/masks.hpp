@@ -1,5 +1,5 @@
-// Steps of binary convolution (lib/evolve/convolution.hpp) where a cell is on as soon as one mask says so: every mask in
-// the world in which it takes the fewest taps (strips.hpp), the grid in memory of its own.
+// Steps of binary convolution (lib/evolve/convolution.hpp) where a cell is on as soon as one mask says so: every mask
+// in the world in which it takes the fewest taps (strips.hpp), the grid in memory of its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -45,8 +45,8 @@ class Masks {
   void strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning);
   void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool add);
 
-  std::vector<int8_t> weights_;    // of all masks, that the worlds were made for
-  bool over_ = false;              // the grid is kept turned over
+  std::vector<int8_t> weights_;  // of all masks, that the worlds were made for
+  bool over_ = false;            // the grid is kept turned over
   stencil::World world_[worlds];
   Grid now_, next_;                // as it is kept
   Grid turned_now_, turned_next_;  // for the world that is turned against that

@@ -1,10 +1,10 @@
-// Binary convolution of whole grids, a column of vectors at a time, for the driver: sums run down the rows in registers,
-// and down rows that lean. Same bits as lib/stencil/sliced.cpp.
+// Binary convolution of whole grids, a column of vectors at a time, for the driver: sums run down the rows in
+// registers, and down rows that lean. Same bits as lib/stencil/sliced.cpp.
 //
-// A long mask changes least from one place to the next along its own direction. So sums run down the grid (0, 1), or down
-// rows that lean by a cell each to the right or left, (1, 1) and (-1, 1); a mask along x wants the grid turned over
-// (x and y exchanged). A world is a grid seen in one of these ways: of its row y, lane x holds cell x + lean y, and tap
-// (dx, dy) of a mask lies in row dy at q = dx - lean dy.
+// A long mask changes least from one place to the next along its own direction. So sums run down the grid (0, 1), or
+// down rows that lean by a cell each to the right or left, (1, 1) and (-1, 1); a mask along x wants the grid turned
+// over (x and y exchanged). A world is a grid seen in one of these ways: of its row y, lane x holds cell x + lean y,
+// and tap (dx, dy) of a mask lies in row dy at q = dx - lean dy.
 //   D(y) = D(y - 1) + change * R,   change = the mask less the mask a row before
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -32,7 +32,8 @@ struct Cache {
 // Everything in sight, and what is left of what was in sight before; and how it came there.
 void check_same(const Cache& a, const Cache& b, const dapple::Brush& brush) {
   const uint16_t side = a.chunks.side();
-  const size_t bytes = dapple::pixel_bytes(brush.format, side) * (brush.format == dapple::Pixels::l1_pages ? side / 8u : side);
+  const size_t bytes =
+      dapple::pixel_bytes(brush.format, side) * (brush.format == dapple::Pixels::l1_pages ? side / 8u : side);
   for (int32_t cy = -4; cy < 8; ++cy)
     for (int32_t cx = -4; cx < 8; ++cx) {
       const uint8_t *one = a.chunks.pixels(cx, cy), *other = b.chunks.pixels(cx, cy);
@@ -54,7 +55,8 @@ constexpr View kViews[] = {{0, 0}, {40, 100}, {90, -60}, {0, 0}};
 }  // namespace
 
 TEST_CASE("growers: chunks on any number of threads have the bytes, and the slots, of chunks by steps") {
-  const dapple::Brush brushes[] = {{dapple::View::colour, dapple::Pixels::rgb565}, {dapple::View::colour, dapple::Pixels::l1_pages}};
+  const dapple::Brush brushes[] = {{dapple::View::colour, dapple::Pixels::rgb565},
+                                   {dapple::View::colour, dapple::Pixels::l1_pages}};
   for (const char* text : {"bits steps=6", "bits masks=3 angles=0,45,90 steps=5 rho=0.2", "flow steps=3",
                            "cells rule=0xfee8e880 steps=4", "threshold scale=2 stretch=2 steps=14"}) {
     const dapple::Recipe recipe = tests::recipe_of(text);

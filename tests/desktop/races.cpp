@@ -1,5 +1,5 @@
-// Textures of every family, and chunks of the plane, on 1, 2, 3 and 8 threads, for a build under the thread sanitizer (tests/checks/threads.sh):
-// it ends well if all have the same bytes, and the sanitizer saw no race.
+// Textures of every family, and chunks of the plane, on 1, 2, 3 and 8 threads, for a build under the thread sanitizer
+// (tests/checks/threads.sh): it ends well if all have the same bytes, and the sanitizer saw no race.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
@@ -55,7 +55,8 @@ int main() {
       std::printf("%s on %u threads: other bytes than on one, or refused\n", text, threads);
     }
   }
-  for (const char* text : {"bits masks=3 angles=0,45,90 rho=0.2 steps=4", "flow steps=2", "cells rule=0xB5A3C96E steps=5"})
+  for (const char* text :
+       {"bits masks=3 angles=0,45,90 rho=0.2 steps=4", "flow steps=2", "cells rule=0xB5A3C96E steps=5"})
     for (const unsigned threads : {2u, 3u, 8u}) {
       const dapple::Recipe recipe = tests::recipe_of(text);
       const uint64_t want = hash_of_chunks(recipe, 1);

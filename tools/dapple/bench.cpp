@@ -209,8 +209,8 @@ void print_chunks() {
   const auto one = std::make_shared<uint64_t>(0), two = std::make_shared<uint64_t>(0);
   const std::vector<Seconds> s = take_turns({planting(recipe, 1, one), planting(recipe, 2, two)}, kRounds);
   if (*one != *two) fail("bench: chunks have other bytes on two threads than on one");
-  std::printf("\nChunks of 128 x 128, zebra-bits painted as rgb565, by the best kernels: %.0f a second on one thread, %.0f on "
-              "two, %.2f times as many.\n",
+  std::printf("\nChunks of 128 x 128, zebra-bits painted as rgb565, by the best kernels: %.0f a second on one thread, "
+              "%.0f on two, %.2f times as many.\n",
               64 / s[0].least, 64 / s[1].least, s[0].least / s[1].least);
 }
 

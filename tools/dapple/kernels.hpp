@@ -28,8 +28,8 @@ std::shared_ptr<dapple::evolve::Driver> driver_of(uint8_t threads);
 // The recipe with masks made once, for many textures, where there is ports/desktop; else as it is.
 std::shared_ptr<const dapple::Recipe> ready_of(const dapple::Recipe& recipe);
 
-// Grows at most so many of the chunks that are missing in sight, whole ones, on threads where there are any; says how many.
-// For a cache that has begun, till it begins anew.
+// Grows at most so many of the chunks that are missing in sight, whole ones, on threads where there are any; says how
+// many. For a cache that has begun, till it begins anew.
 std::function<uint32_t(uint32_t most)> growers_of(dapple::Chunks& chunks, uint8_t threads);
 
 }  // namespace cli
