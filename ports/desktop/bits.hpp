@@ -45,18 +45,9 @@ static void field_wide(const grid::Rows& rows) {
   constexpr uint16_t bits = sizeof(Wide) * 8;
   const Job<Wide> job = job_of<Wide>(rows, true);
   const FieldScale scale = field_scale(job.sum);
-  const uint8_t side = static_cast<uint8_t>(2 * job.radius + 1);
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
-    Wide copies[kCells], most[kSumBits] = {}, least[kSumBits] = {}, cells = 0;
-    for (uint8_t k = 0; k < side; ++k)
-      shifted(static_cast<const uint8_t*>(rows.in[k]), at, job.radius, copies + k * side);
-    for (uint8_t j = 0; j < job.count; ++j) {
-      Wide sum[kSumBits];
-      set_number(static_cast<int16_t>(-1), sum);
-      add_taps<false>(job.taps[j], copies, sum);
-      gather(job, j, sum, most, least, cells);
-    }
-    if (job.both) add_least(most, least);
+    Wide most[kSumBits] = {};
+    one_word<false>(rows, job, at, most);
     int16_t d[bits];
     store_values(most, job.both, d);
     scale_values(d, grid::out16(rows, 0) + 8 * at,
