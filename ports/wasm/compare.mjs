@@ -1,5 +1,5 @@
-// How many times as fast as the portable module the one with vectors is, in one interleaved run: least times of many, what they
-// grow compared. Prints the table of README.md.
+// How many times as fast as the portable module the one with vectors is, in one interleaved run: least times of many,
+// what they grow compared. Prints the table of README.md.
 //   node ports/wasm/compare.mjs [MODULES [RUNS]]    MODULES: folder of both (build/wasm); RUNS: of each (15)
 // SPDX-License-Identifier: MIT
 import { readFileSync } from "node:fs";
@@ -9,12 +9,22 @@ const [, , folder = "build/wasm", runs = "15"] = process.argv;
 const dapple = scripts(), desks = [];
 for (const name of ["dapple", "dapple-simd"]) desks.push((await dapple.load(readFileSync(`${folder}/${name}.wasm`)))());
 
-const line = (name, steps) => desks[0].presets.find((p) => p.name === name).line.replace(/ steps=\d+/, (all) => (steps ? " steps=" + steps : all));
+const line = (name, steps) => {
+  const whole = desks[0].presets.find((p) => p.name === name).line;
+  return steps ? whole.replace(/ steps=\d+/, " steps=" + steps) : whole;
+};
 const kinds = [
-  ["zebra-bits", line("zebra-bits"), 512], ["coral-bits", line("coral-bits"), 512], ["fingerprint", line("fingerprint"), 256],
-  ["zebra", line("zebra"), 256], ["weave", line("weave"), 256], ["zebra-haunch, 8 steps", line("zebra-haunch", 8), 256],
-  ["gray-scott, 300 steps", "gray-scott steps=300", 256], ["a cell program, 400 steps", "cells rule=0xe8e8e8e0 steps=400", 512],
-  ["turing, 100 steps", "turing steps=100", 256], ["painted: zebra", line("zebra", 2), 512], ["painted: sand", line("sand", 2), 512],
+  ["zebra-bits", line("zebra-bits"), 512],
+  ["coral-bits", line("coral-bits"), 512],
+  ["fingerprint", line("fingerprint"), 256],
+  ["zebra", line("zebra"), 256],
+  ["weave", line("weave"), 256],
+  ["zebra-haunch, 8 steps", line("zebra-haunch", 8), 256],
+  ["gray-scott, 300 steps", "gray-scott steps=300", 256],
+  ["a cell program, 400 steps", "cells rule=0xe8e8e8e0 steps=400", 512],
+  ["turing, 100 steps", "turing steps=100", 256],
+  ["painted: zebra", line("zebra", 2), 512],
+  ["painted: sand", line("sand", 2), 512],
 ];
 const pages = 4;  // painted in one go
 console.log("| what | portable, ms | vectors | times as fast |\n|---|---|---|---|");

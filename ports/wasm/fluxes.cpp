@@ -1,5 +1,5 @@
-// lib/stencil/flux.cpp for engines with vectors of 128 bits: with pulls of its own, and everything small but the two loops over
-// cells that the solvers of the page run most. ports/wasm/build links it instead.
+// lib/stencil/flux.cpp for engines with vectors of 128 bits: with pulls of its own, and everything small but the two
+// loops over cells that the solvers of the page run most. ports/wasm/build links it instead.
 // SPDX-License-Identifier: MIT
 #pragma clang attribute push(__attribute__((minsize)), apply_to = function)
 #define pull_row portable_pull_row

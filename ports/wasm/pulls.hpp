@@ -1,5 +1,6 @@
-// What a way gets of a stream's direction, eight cells at a time: pull_row of lib/stencil/flux_cell.hpp, whose formats and bounds
-// these are. The upper half of a product takes three instructions here and nine where compilers make the vectors.
+// What a way gets of a stream's direction, eight cells at a time: pull_row of lib/stencil/flux_cell.hpp, whose formats
+// and bounds these are. The upper half of a product takes five instructions here and eleven where compilers make the
+// vectors.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/stencil/flux_cell.hpp"
@@ -8,7 +9,6 @@ namespace dapple::stencil {
 
 typedef i16 Eight __attribute__((vector_size(16)));
 typedef int32_t Four __attribute__((vector_size(16)));
-typedef i16 Half __attribute__((vector_size(8)));
 
 inline Eight high_part(Eight a, Eight b) {
 #define LOW(v) __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), Four)

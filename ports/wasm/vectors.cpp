@@ -1,6 +1,7 @@
-// Row kernels for engines with vectors of 128 bits: those of ports/desktop in place of the portable ones that compilers make no
-// good vectors of. ports/wasm/build links this instead of the files of lib/ that it includes, which give it their inner
-// functions; rows that nobody calls any more are left out by the linker. What is not a loop over cells stays small.
+// Row kernels for engines with vectors of 128 bits: those of ports/desktop in place of the portable ones that
+// compilers make no good vectors of. ports/wasm/build links this instead of the files of lib/ that it includes, which
+// give it their inner functions; rows that nobody calls any more are left out by the linker. What is not a loop over
+// cells stays small.
 // SPDX-License-Identifier: MIT
 #pragma clang attribute push(__attribute__((minsize)), apply_to = function)
 #define DAPPLE_WIDE 16
