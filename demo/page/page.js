@@ -228,15 +228,18 @@ class Page {
   }
 }
 
-// For tests and the console: window.page, and the promise of it.
+// For tests and the console: window.page, and the promise of it. ?kernels=portable takes the module without vectors.
 window.ready = (async () => {
   try {
-    if (typeof DAPPLE_MODULE === "undefined") throw new Error("this page comes without its module; ports/wasm/build makes one that has it");
-    window.page = new Page(await dapple.load(DAPPLE_MODULE), DAPPLE_MODULE);
+    if (typeof DAPPLE_MODULES === "undefined")
+      throw new dapple.Refusal("this page comes without its modules; ports/wasm/build makes one that has them");
+    const kernels = dapple.choose(DAPPLE_MODULES, new URLSearchParams(location.search).get("kernels"));
+    window.page = new Page(await dapple.load(DAPPLE_MODULES, kernels), DAPPLE_MODULES[kernels]);
+    window.page.kernels = kernels;
   } catch (error) {
     const sorry = by("sorry");
     sorry.hidden = false;
-    if (typeof WebAssembly !== "undefined" && typeof DAPPLE_MODULE === "undefined") sorry.textContent = error.message;
+    if (error instanceof dapple.Refusal) sorry.textContent = error.message;
     for (const control of by("panel").elements) control.disabled = true;
     by("zoom").hidden = true;
   }

@@ -116,8 +116,7 @@ template <bool rom, class W> static W one_word(const grid::Rows& rows, const Job
   return cells_of(job, most, least, cells);
 }
 
-template <bool rom> static void lean_row(const grid::Rows& rows, const Job<base::Word>& job) {
-  using W = base::Word;
+template <bool rom, class W> static void lean_row(const grid::Rows& rows, const Job<W>& job) {
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(W)) {
     W most[kSumBits] = {};
     store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word<rom>(rows, job, at, most));

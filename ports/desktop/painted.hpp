@@ -130,8 +130,9 @@ static void put_8888s(const Block& b, uint8_t* DAPPLE_RESTRICT to, uint16_t n) {
 
 static void put_pixels(const Brush& brush, const Source& source, const Block& b, uint16_t x, uint16_t n, uint8_t* row) {
   if (brush.format == Pixels::rgba8888) return put_8888s(b, row + size_t{4} * x, n);
-  if (!brush.dither && brush.format == Pixels::rgb565) return put_565s(b, false, row + size_t{2} * x, n);
-  if (!brush.dither && brush.format == Pixels::rgb565_swapped) return put_565s(b, true, row + size_t{2} * x, n);
+  const bool at_once = !brush.dither && !base::kSmallCode;
+  if (at_once && brush.format == Pixels::rgb565) return put_565s(b, false, row + size_t{2} * x, n);
+  if (at_once && brush.format == Pixels::rgb565_swapped) return put_565s(b, true, row + size_t{2} * x, n);
   uint8_t rgb[3 * kPixels];
   for (uint16_t i = 0; i < n; ++i)
     for (uint8_t c = 0; c < 3; ++c) rgb[3 * i + c] = static_cast<uint8_t>(b.rgb[c][i]);

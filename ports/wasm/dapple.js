@@ -1,5 +1,5 @@
-// The WebAssembly module for scripts: memory laid out, text both ways. A Desk is one instance with one recipe and one
-// texture; beginning anew uses the same memory again. Needs words.js.
+// The WebAssembly modules for scripts, one for engines with vectors and one for all: memory laid out, text both ways. A Desk is
+// one instance with one recipe and one texture; beginning anew uses the same memory again. Needs words.js.
 // SPDX-License-Identifier: MIT
 "use strict";
 
@@ -9,18 +9,40 @@ const dapple = {
   kinds: ["decimal", "integer", "program", "word", "schedule", "angles"],  // of numbers
   enough: -15,  // too_little_memory: what begin says to a question
 
-  // From base64 or bytes; a promise of what makes desks.
-  async load(module) {
-    const bytes = typeof module === "string" ? Uint8Array.from(atob(module), (c) => c.charCodeAt(0)) : module;
+  // Names of modules, { simd128, portable }: the one asked for, else the fastest that this engine runs.
+  choose(modules, asked) {
+    const names = Object.keys(modules), runs = (name) => name !== "simd128" || dapple.vectors();
+    if (!asked) return names.find(runs);
+    if (!names.includes(asked)) throw new dapple.Refusal(`no kernels are called '${asked}'; there are ${names.join(", ")}`);
+    if (!runs(asked)) throw new dapple.Refusal(`kernels=${asked} needs vectors of 128 bits, which this engine does not have`);
+    return asked;
+  },
+
+  // Whether there are vectors: (func (drop (i8x16.splat (i32.const 0)))).
+  vectors() {
+    const code = [0x41, 0, 0xfd, 0x0f, 0x1a, 0x0b], head = [0, 0x61, 0x73, 0x6d, 1, 0, 0, 0];
+    return WebAssembly.validate(Uint8Array.from([...head, 1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0, 10, 9, 1, 7, 0, ...code]));
+  },
+
+  // From modules by name, the fastest first, of which one is taken (`kernels`, or as choose says), or from one module. A module
+  // is bytes, base64, either of them packed by gzip, or a function that promises one. A promise of what makes desks.
+  async load(modules, kernels) {
+    const alone = typeof modules === "string" || ArrayBuffer.isView(modules);
+    let module = alone ? modules : modules[dapple.choose(modules, kernels)];
+    if (typeof module === "function") module = await module();
+    let bytes = typeof module === "string" ? Uint8Array.from(atob(module), (c) => c.charCodeAt(0)) : new Uint8Array(module);
+    if (bytes[0] === 0x1f && bytes[1] === 0x8b) bytes = new Uint8Array(await dapple.gunzip(bytes).arrayBuffer());
     const compiled = await WebAssembly.compile(bytes);
     const make = (texts) => new dapple.Desk(new WebAssembly.Instance(compiled, {}).exports, texts);
     const texts = await dapple.unpacked(make({ presets: [], units: [] }).packed());
     return () => make(texts);
   },
 
+  gunzip(bytes) { return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))); },
+
   // Presets, and the sentences about numbers, out of their gzip stream.
   async unpacked(bytes) {
-    const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+    const text = await dapple.gunzip(bytes).text();
     const part = text.split("\0"), presets = [];
     while (part[0] !== "") {
       const [name, sentence, line] = part.splice(0, 3);
@@ -36,6 +58,9 @@ const dapple = {
     return hash.toString(16).padStart(16, "0");
   },
 };
+
+// What cannot be, in words.
+dapple.Refusal = class extends Error {};
 
 dapple.Desk = class {
   constructor(exports, { presets, units }) {

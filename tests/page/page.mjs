@@ -69,7 +69,7 @@ check(offered.map((o) => o[0]).join() === listed.join(), "presets: " + offered.m
 check(offered.every((o) => o[1] === null), "presets refused: " + JSON.stringify(offered.filter((o) => o[1])));
 
 // The bytes of the library: tiles of goldens, and a chunk grown natively.
-for (const name of ["zebra-bits", "fingerprint", "zebra", "gs-maze"]) {
+const golden = async (page, name) => {
   const words = readFileSync(goldens, "utf8").split("\n").map((l) => l.split(" ")).find((w) => w[0] === name && w[1] === "128x128");
   await page.fill("#width", "128");
   await page.fill("#height", "128");
@@ -84,7 +84,9 @@ for (const name of ["zebra-bits", "fingerprint", "zebra", "gs-maze"]) {
   });
   check(have[0] === words[3], name + ": field " + have[0] + ", golden " + words[3]);
   check(have[1] === words[4], name + ": pixels " + have[1] + ", golden " + words[4]);
-}
+};
+check(await page.evaluate(() => window.page.kernels) === "simd128", "vectors are not used");
+for (const name of ["zebra-bits", "fingerprint", "zebra", "zebra-haunch", "gs-maze"]) await golden(page, name);
 check(await page.isDisabled("#plane") && /not for the endless plane/.test(await page.textContent("#why")), "gs-maze: the plane is not refused");
 await choose(page, "zebra-bits");
 await page.check("#plane");
@@ -318,6 +320,20 @@ const slices = await alone.evaluate(() => {
   return asked;
 });
 check(slices.length <= 14 && slices[0] === 64 && slices.slice(0, 7).every((r, i) => r === 64 >> i) && slices.at(-1) === 1, "slices of rows: " + slices);
+
+// The module without vectors, asked for or because there are none; and kernels that are not there.
+const address = pathToFileURL(file).href;
+const portable = await open(500, 400, { from: address + "?kernels=portable" });
+check(await portable.evaluate(() => window.page.kernels) === "portable", "portable kernels are not used");
+for (const name of ["zebra-bits", "fingerprint", "zebra", "zebra-haunch"]) await golden(portable, name);
+const old = await open(500, 400, { before: () => { WebAssembly.validate = () => false; } });
+check(await old.evaluate(() => window.page.kernels) === "portable", "without vectors: " + await old.evaluate(() => window.page.kernels));
+await choose(old, "zebra-bits");
+await old.evaluate(() => { window.page.camera.zoom = 1; window.page.camera.place(-700, 300); });
+await settled(old);
+check(await differing(old) === 0, "without vectors: seams");
+const none = await open(500, 400, { from: address + "?kernels=neon" });
+check(/no kernels are called 'neon'/.test(await none.innerText("#sorry")), "unknown kernels: " + await none.innerText("#sorry"));
 
 // From a server as from a file.
 const server = createServer((request, response) => response.writeHead(200, { "Content-Type": "text/html" }).end(readFileSync(file)));
