@@ -111,7 +111,7 @@ DAPPLE_APART static void start_one_row(Run& run) {
   const Start start = load_start(run.plan);
   const uint8_t level = run.stage.level;
   const start::Place place = {run.field.cell,      run.field.width,     run.field.height, level,
-                              run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed};
+                              run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed, run.table};
   const uint8_t planes = run.model.planes(run.stage.number);
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
   if (run.domain.corners != nullptr) {
