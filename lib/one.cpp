@@ -32,6 +32,7 @@
 #include "paint/mip.cpp"
 #include "paint/pack.cpp"
 #include "paint/shade.cpp"
+#include "evolve/along.cpp"
 #include "evolve/blocks.cpp"
 #include "evolve/convolution.cpp"
 #include "evolve/corners.cpp"

@@ -96,6 +96,8 @@ const char* const kRecipes[] = {"mapped map=none scale=2.2 stretch=2 angle=70 st
                                 "threshold scale=1.5 pairs=2 rho=0.02 steps=2 solver=euler",
                                 "gray-scott start=noise steps=20",
                                 "turing decay=12.25 steps=20",
+                                "turing map=none aspect=2 angle=30 steps=20",
+                                "fitzhugh-nagumo map=isotropic stretch=2 steps=20",
                                 "fitzhugh-nagumo steps=20"};
 
 }  // namespace
@@ -134,10 +136,14 @@ TEST_CASE("atlas: patches side by side are one closed patch bit for bit, on a su
   dapple::PlaceMaps on_large{}, on_three{};
   on_large.surface = &large;
   on_three.surface = &three;
+  const int8_t falling[] = {0, 127};  // one direction, which mirrors turn
+  on_large.direction = on_three.direction = {falling, 1, 1};
   const Sheet one(1, 1, 96, 64, true, true), row(3, 1, 32, 64, true, true), around(1, 1, 96, 64, true, false);
   std::vector<std::string> texts(std::begin(kRecipes), std::end(kRecipes));
   texts.push_back("mapped map=none stretch=2 angle=20 scale=1.6 steps=4 solver=surface");
   texts.push_back("mapped map=isotropic scale=1.3 steps=4 levels=2 fine=2 solver=surface");
+  texts.push_back("turing map=image aspect=2 vary=0.1 steps=20");
+  texts.push_back("fitzhugh-nagumo map=image stretch=2 angle=10 level=1 steps=20 then refine steps=4");
   for (const std::string& text : texts) {
     dapple::Recipe recipe = tests::recipe_of(text.c_str()), split = recipe;
     set_maps(recipe, on_large);

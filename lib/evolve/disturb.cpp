@@ -50,7 +50,10 @@ Status change(Run& run, uint8_t slot, int32_t value) {
   const Reach before = reach();
   const int32_t old = stage.number[slot];
   stage.number[slot] = value;
-  Status status = run.model.in_range(stage.number) && as_large(before, reach()) ? ok : out_of_range;
+  const auto accepts = run.solver.accepts;
+  const bool fits = run.model.in_range(stage.number) && as_large(before, reach());
+  const bool good = fits && (accepts == nullptr || accepts(stage.number, stage.stored, run.domain) == ok);
+  Status status = good ? ok : out_of_range;
   if (status == ok) {
     const Bound bound = run.model.bound(stage.number, stage.level);
     if (!within(stage.number[bound.slot], bound.low, bound.high)) status = unstable;

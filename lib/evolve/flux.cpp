@@ -36,11 +36,9 @@ static stencil::DirectionMap::Kind kind_of(int32_t map) {
 
 constexpr int32_t kMostBend = 900000;  // corners: between two colours, of 90 degrees; beyond, halfway vectors vanish
 
-static void make_map(const Context& context, stencil::DirectionMap& m) {
-  const int32_t* number = context.number;
-  const int64_t detail = number[mapped::detail];
+void make_map(const Context& context, int32_t map, int64_t detail, stencil::DirectionMap& m) {
   m = stencil::DirectionMap{};
-  m.kind = kind_of(number[mapped::map]);
+  m.kind = kind_of(map);
   const Patches* const patches = context.ground->patches;
   m.width = period(context, patches != nullptr ? patches->width : context.ground->width);
   m.height = period(context, patches != nullptr ? patches->height : context.ground->height);
@@ -53,7 +51,7 @@ static void make_map(const Context& context, stencil::DirectionMap& m) {
       2 * base::max(1, static_cast<int32_t>(base::divide_round(static_cast<int64_t>(m.across) * m.height, m.width))));
   const int32_t distance = static_cast<int32_t>(base::divide_round(detail * m.width, base::kMicro));
   place_field(context, base::max(distance, 2), m.field);
-  m.field.kind = number[mapped::map] == mapped::swirl ? stencil::vectors : stencil::scalars;
+  m.field.kind = map == mapped::swirl ? stencil::vectors : stencil::scalars;
   m.field.bend = 5325;  // 1.3 turns
   const uint16_t turn =
       static_cast<uint16_t>(base::divide_round(base::min(static_cast<int32_t>(detail), kMostBend) * INT64_C(16384), base::kMicro));
@@ -78,7 +76,7 @@ static void fill_set(const Context& context, Keeps keeps) {
   const int32_t* number = context.number;
   const Model& model = *context.model;
   stencil::FluxSet& set = *reinterpret_cast<stencil::FluxSet*>(context.table);
-  make_map(context, set.map);
+  make_map(context, number[mapped::map], number[mapped::detail], set.map);
   set.planes = model.planes(number);
   set.maps = maps_of(number);
   set.kept = keeps != Keeps::nothing;
@@ -151,9 +149,9 @@ bool flux_next(const Context& context, Cursor& cursor, Sweep& sweep) {
     cursor.plane = 2;
     cursor.direction = 0;
     cursor.series.made = 0;
-    sweep.row = grid::choose(context.kernels, set.styled ? threshold::impulse_styled_row : context.model->impulse);
+    sweep.row = grid::choose(context.kernels, context.model->impulse);
     sweep.first = 0;
-    sweep.count = static_cast<uint8_t>(set.planes + (set.styled ? kept_planes(set) : 0));
+    sweep.count = set.planes;
     sweep.radius = 0;
     context.model->values(context.number, context.clock, sweep.p);
     return true;
@@ -168,6 +166,15 @@ bool flux_next(const Context& context, Cursor& cursor, Sweep& sweep) {
     cursor.series.made = 0;
   }
   return false;
+}
+
+// The reaction reads the styles too.
+bool styled_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  if (!flux_next(context, cursor, sweep)) return false;
+  if (sweep.row != grid::choose(context.kernels, context.model->impulse)) return true;
+  sweep.row = grid::choose(context.kernels, threshold::impulse_styled_row);
+  sweep.count = static_cast<uint8_t>(sweep.count + kept_planes(set_of(context)));
+  return true;
 }
 
 }  // namespace dapple::evolve

@@ -115,13 +115,19 @@ constexpr Reach surface_reach(const Model& model, const int32_t* number, uint8_t
   return reach_of_flux(model, number, level, given, Keeps::surface);
 }
 
+// The map of a mapped::Kind on the stage's grid.
+void make_map(const Context& context, int32_t map, int64_t detail, stencil::DirectionMap& m);
+
 // Directions from an image: there is one, of 1 to kMostImage cells either way.
-constexpr Status accepts_map(const int32_t* number, const void* given, const Domain&) {
-  if (number[mapped::map] != mapped::image) return ok;
+constexpr Status accepts_image(int32_t map, const void* given) {
+  if (map != mapped::image) return ok;
   if (given == nullptr) return bad_map;
   const DirectionImage& image = static_cast<const PlaceMaps*>(given)->direction;
   if (image.pairs == nullptr) return bad_map;
   return within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage) ? ok : bad_map;
+}
+constexpr Status accepts_map(const int32_t* number, const void* given, const Domain&) {
+  return accepts_image(number[mapped::map], given);
 }
 
 constexpr bool has_room(const int32_t* number, Keeps keeps) {
@@ -157,6 +163,7 @@ constexpr Status accepts_surface(const int32_t* number, const void* given, const
 }
 
 bool flux_next(const Context& context, Cursor& cursor, Sweep& sweep);
+bool styled_next(const Context& context, Cursor& cursor, Sweep& sweep);
 void prepare_flux(const Context& context);
 void prepare_lean_flux(const Context& context);
 void prepare_styled(const Context& context);
@@ -171,7 +178,7 @@ inline constexpr Solver flux DAPPLE_ROM = {flux_reach,  flux_next,         prepa
                                            accepts_map, Sharing::reaction, 1,            follows_corners};
 inline constexpr Solver lean_flux DAPPLE_ROM = {lean_flux_reach, flux_next,         prepare_lean_flux, nullptr,
                                                 accepts_map,     Sharing::reaction, 1,                 follows_corners};
-inline constexpr Solver styled DAPPLE_ROM = {styled_reach, flux_next, prepare_styled, nullptr, accepts_styles};
+inline constexpr Solver styled DAPPLE_ROM = {styled_reach, styled_next, prepare_styled, nullptr, accepts_styles};
 inline constexpr Solver surface DAPPLE_ROM = {surface_reach, flux_next, prepare_surface, nullptr, accepts_surface};
 
 }  // namespace dapple::evolve

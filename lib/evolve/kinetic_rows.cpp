@@ -80,20 +80,16 @@ void kinetics_row(const grid::Rows& rows) {
   if (unit > 1) narrow_row(rows, grid::out32(react, 0), grid::out32(react, 1));
 }
 
-// mask: all ones where the cell is held.
-template <class T>
-static void hold(const T* DAPPLE_RESTRICT old, const T* DAPPLE_RESTRICT mask, T* DAPPLE_RESTRICT cells, uint16_t n) {
-  for (uint16_t x = 0; x < n; ++x) cells[x] = static_cast<T>(cells[x] ^ ((cells[x] ^ old[x]) & mask[x]));
-}
-template <class T>
-static void hold_planes(const grid::Rows& rows) {
-  const T* const mask = static_cast<const T*>(rows.out[held_at(rows)]);
-  for (uint8_t plane = 0; plane < kept_at(rows); ++plane)
-    hold(static_cast<const T*>(rows.in[3 * plane + 1]), mask, static_cast<T*>(rows.out[plane]), rows.n);
+// mask: all ones where the cell is held. Byte by byte, whatever the cells.
+static void hold(const uint8_t* DAPPLE_RESTRICT old, const uint8_t* DAPPLE_RESTRICT mask,
+                 uint8_t* DAPPLE_RESTRICT cells, size_t bytes) {
+  for (size_t i = 0; i < bytes; ++i) cells[i] = static_cast<uint8_t>(cells[i] ^ ((cells[i] ^ old[i]) & mask[i]));
 }
 void hold_row(const grid::Rows& rows) {
-  if (rows.table[wide_cells] != 0) hold_planes<int32_t>(rows);
-  else hold_planes<int16_t>(rows);
+  const size_t bytes = static_cast<size_t>(rows.n) * (rows.table[wide_cells] != 0 ? 4 : 2);
+  const uint8_t* const mask = static_cast<const uint8_t*>(rows.out[held_at(rows)]);
+  for (uint8_t plane = 0; plane < kept_at(rows); ++plane)
+    hold(static_cast<const uint8_t*>(rows.in[3 * plane + 1]), mask, static_cast<uint8_t*>(rows.out[plane]), bytes);
 }
 
 void cascade_row(const grid::Rows& rows) {

@@ -57,7 +57,7 @@ void prepare_pictured(const Context& context) {
 DAPPLE_APART static int32_t cell_at(const grid::Rows& rows, const void* row, uint16_t x) {
   return rows.table[wide_cells] != 0 ? static_cast<const int32_t*>(row)[x] : static_cast<const int16_t*>(row)[x];
 }
-DAPPLE_APART static void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value) {
+DAPPLE_APART void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value) {
   if (rows.table[wide_cells] != 0) static_cast<int32_t*>(row)[x] = value;
   else static_cast<int16_t*>(row)[x] = static_cast<int16_t>(value);
 }
@@ -80,7 +80,7 @@ static void vary_cells(const grid::Rows& rows, void* row) {
 
 // The first sweep of a stage: what varies, what is held, what goes back to the uniform state. All planes in place.
 // p: {threshold, shown plane, Mode, uniform state of every morphogen}, in the cells' format.
-static void enter_row(const grid::Rows& rows) {
+void enter_row(const grid::Rows& rows) {
   const uint8_t planes = kept_at(rows);
   const int32_t mode = rows.p[2];
   if (rows.table[varies] > 0) vary_cells(rows, rows.out[planes]);
@@ -129,7 +129,7 @@ static void all_planes(const Context& context, bool has_mask, Sweep& sweep) {
   sweep.count = static_cast<uint8_t>(context.model->planes(context.number) + kept_by(context.number, has_mask));
 }
 
-static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
+void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
   const Model& model = *context.model;
   all_planes(context, has_mask, sweep);
   sweep.radius = 0;
@@ -141,7 +141,7 @@ static void enter_sweep(const Context& context, bool has_mask, Sweep& sweep) {
     sweep.p[3 + i] = model.levels(context.number, i).background;
 }
 
-static void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep) {
+void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep) {
   const bool isotropic = context.number[kinetics::stretch] == base::kMicro;
   const grid::RowKernel round = wide(*context.model) ? stencil::five_wide_row : stencil::five_narrow_row;
   const grid::RowKernel oval = wide(*context.model) ? stencil::eight_wide_row : stencil::eight_narrow_row;

@@ -106,6 +106,13 @@ void kinetics_field(const grid::Rows& rows);
 void cascade_field(const grid::Rows& rows);
 void look_at_share(const Run& run, int16_t* row, uint8_t* work);
 
+// The other parts of their sweeps, for solvers that do more (along.hpp): a first sweep's row; a cell of either width; both
+// sweeps.
+void enter_row(const grid::Rows& rows);
+void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value);
+void enter_sweep(const Context& context, bool has_mask, Sweep& sweep);
+void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep);
+
 inline constexpr Solver kinetics_solver DAPPLE_ROM = {
     kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share,
     Sharing::none,  1,             nullptr,          false,          look_at_share};

@@ -52,20 +52,15 @@ DAPPLE_APART static void open_stage(Run& run) {
   }
   set_clock(run);
   if (run.solver.prepare != nullptr) run.solver.prepare(context_of(run));
-  switch (run.stage.entry) {
-    case Entry::start:
-      set_level(run, run.stage.level);
-      run.ghosts.made = false;
-      run.phase = Phase::starting;
-      run.at_row = 0;
-      break;
-    case Entry::carry:
-    case Entry::freeze:
-    case Entry::reset: run.phase = Phase::sweeping; break;
-    case Entry::refine:
-      run.phase = Phase::refining;
-      run.at_row = run.field.height;
-      break;
+  run.phase = Phase::sweeping;
+  if (run.stage.entry == Entry::start) {
+    set_level(run, run.stage.level);
+    run.ghosts.made = false;
+    run.phase = Phase::starting;
+    run.at_row = 0;
+  } else if (run.stage.entry == Entry::refine) {
+    run.phase = Phase::refining;
+    run.at_row = run.field.height;
   }
 }
 
@@ -111,8 +106,7 @@ DAPPLE_APART static void start_one_row(Run& run) {
   const Start start = load_start(run.plan);
   const uint8_t level = run.stage.level;
   const start::Place place = {run.field.cell,      run.field.width,     run.field.height, level,
-                              run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed};
-  const uint8_t planes = run.model.planes(run.stage.number);
+                              run.ground.x >> level, run.ground.y >> level, run.domain.plane,   run.seed, run.table};
   uint8_t* row = row_of(run.field, run.at_plane, run.at_row);
   if (run.domain.corners != nullptr) {
     rom_load(run.domain.corners).start_row(place, start, run.solver, context_of(run), run.at_plane, run.at_row, row);
@@ -122,7 +116,7 @@ DAPPLE_APART static void start_one_row(Run& run) {
   }
   if (++run.at_row < run.field.height) return;
   run.at_row = 0;
-  if (++run.at_plane == planes) end_part(run, false);
+  if (++run.at_plane == run.model.planes(run.stage.number)) end_part(run, false);
 }
 
 DAPPLE_APART static void refine_one_row(Run& run) {

@@ -17,10 +17,16 @@ enum Kind : uint8_t { none, radial, scallop, haunch, two_angle, swirl, bends, co
 constexpr int32_t kMostPairs = 4;
 constexpr int32_t kDetail[2] = {10000, 1000000};
 
+constexpr const char* kMaps = "none|radial|scallop|haunch|two-angle|swirl|bends|corners|image|isotropic";
+constexpr int32_t kDetailStandard = 250000;
+constexpr const char* kDetailUnit =
+    "of the tile's width: softness of a radial centre, width of a scallop, distance of a swirl's nodes; corners: of 90 "
+    "degrees";
+
 inline constexpr Number numbers[] = {
     {Number::integer, "pairs", 1, kMostPairs, 1, nullptr, "activator-inhibitor pairs"},
     {Number::word, "react", 0, 1, 0, "md|da", "md: max of differences (14); da: difference of abs (15)"},
-    {Number::word, "map", 0, kinds - 1, radial, "none|radial|scallop|haunch|two-angle|swirl|bends|corners|image|isotropic",
+    {Number::word, "map", 0, kinds - 1, radial, kMaps,
      "direction of every place of the tile; isotropic: none, whatever stretch says"},
     threshold::numbers[3],
     threshold::numbers[4],
@@ -28,8 +34,7 @@ inline constexpr Number numbers[] = {
     {Number::angles, "angle", -kTurn, kTurn, 0, nullptr, "degrees of each pair against the map's direction"},
     threshold::numbers[7],
     threshold::numbers[8],
-    {Number::decimal, "detail", kDetail[0], kDetail[1], 250000, nullptr,
-     "of the tile's width: softness of a radial centre, width of a scallop, distance of a swirl's nodes; corners: of 90 degrees"},
+    {Number::decimal, "detail", kDetail[0], kDetail[1], kDetailStandard, nullptr, kDetailUnit},
 };
 
 constexpr bool in_range(const int32_t* number) {

@@ -12,32 +12,28 @@ namespace dapple::turing {
 
 using kinetics::Rate;
 
-// grown: the deviations are of the growth, and not of the decay.
-template <bool grown>
+// grown: all ones where the deviations are of the growth, and not of the decay; else 0.
 struct Reaction {
   int32_t growth, decay;
   Rate speed, da, db;
+  int32_t grown;
 
   DAPPLE_INLINE void step(int32_t& a, int32_t& b, int32_t lap_a, int32_t lap_b, int32_t more) const {
     constexpr int32_t kMostA = kLargestA * (INT32_C(1) << kWide), kMostB = kLargestB * (INT32_C(1) << kWide);
     const uint32_t product = (static_cast<uint32_t>(a) >> 9) * (static_cast<uint32_t>(b) >> 8);
     const int32_t ab = static_cast<int32_t>(product >> 11);
-    const int32_t made = growth + (grown ? more : 0) - ab;
-    const int32_t changed = ab - (b >> 8) - decay - (grown ? 0 : more);
+    const int32_t made = growth + (more & grown) - ab;
+    const int32_t changed = ab - (b >> 8) - decay - (more & ~grown);
     a = stepped(a, times(made, speed) + diffused(lap_a, da), 0, kMostA);
     b = stepped(b, times(changed, speed) + diffused(lap_b, db), 0, kMostB);
   }
 };
 
-template <bool grown>
-static Reaction<grown> reaction_of(const int32_t* p) {
-  return {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4])};
+static Reaction reaction_of(const int32_t* p) {
+  return {p[0], p[1], unpacked(p[2]), unpacked(p[3]), unpacked(p[4]), p[kGrown] != 0 ? -1 : 0};
 }
 
 // Deviations of the decay or the growth.
-void react_row(const grid::Rows& rows) {
-  if (rows.p[kGrown] != 0) react_rows(rows, reaction_of<true>(rows.p));
-  else react_rows(rows, reaction_of<false>(rows.p));
-}
+void react_row(const grid::Rows& rows) { react_rows(rows, reaction_of(rows.p)); }
 
 }  // namespace dapple::turing

@@ -1,6 +1,7 @@
 // A recipe: start, stages, paint. And the families it can be made of; adding a model adds one line to `families`.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "../evolve/along.hpp"
 #include "../evolve/blocks.hpp"
 #include "../evolve/convolution.hpp"
 #include "../evolve/flux.hpp"
@@ -89,6 +90,9 @@ struct Family {
   Dials dials = {0};             // of families that take aspect and spot_size
   const Model* compact = model;  // cells=compact: the same in half of the memory; the model itself where there is none
 };
+
+// Explicit kinetics also have the numbers of a map, in the slots from along::map on.
+constexpr uint8_t map_numbers(const Family& f) { return f.freezing > 0 ? along::kNumbers : uint8_t{0}; }
 
 // A family of explicit kinetics.
 constexpr Family kinetics_family(const char* name, const Model* model, const Number* numbers, uint8_t count, uint32_t steps, Start start,

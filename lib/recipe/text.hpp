@@ -46,8 +46,10 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   if (equal(key, "scale")) r.length = value;
   if (equal(key, "coverage")) r.coverage_given = true;
   uint8_t slot = 0;
-  for (uint8_t i = 0; i < r.family->number_count; ++i) {
-    const Number& n = r.family->numbers[i];
+  const Family& f = *r.family;
+  for (uint8_t i = 0; i < f.number_count + map_numbers(f); ++i) {
+    if (i == f.number_count) slot = along::map;
+    const Number& n = i < f.number_count ? f.numbers[i] : along::numbers[i - f.number_count];
     const bool named = equal(key, n.name) || (n.kind == Number::angles && equal(key, "angles"));
     if (named) {
       found = true;
@@ -59,6 +61,7 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   }
   return true;
 }
+
 
 DAPPLE_APART constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
@@ -235,6 +238,16 @@ constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
   return false;
 }
 
+// Stages along a map have a solver of their own, and segments before the first of them a start.
+constexpr bool follow_map(Reader& r, Word all, Stage& stage) {
+  Start& start = r.recipe->start;
+  const bool map = stage.number[along::map] != mapped::none;
+  stage.solver = evolve::with_map(stage.solver, map);
+  if (stage.entry == Entry::start && start.kind == Start::segments)
+    start.row = map ? evolve::segments_along_row : start::segments_row;
+  return stage.solver != nullptr || fail(r, not_possible, all, 0, 0, false, along::numbers[0].name);
+}
+
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
 constexpr bool settle(Reader& r, Word all) {
   const int8_t scale = slot_named(*r.family, "scale"), angle = angles_of(*r.family);
@@ -249,6 +262,7 @@ constexpr bool settle(Reader& r, Word all) {
       else if (!tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
     if (!cover_spots(r, r.recipe->stage[i])) return false;
+    if (map_numbers(*r.family) > 0 && !follow_map(r, all, r.recipe->stage[i])) return false;
     if (!living(r, all, number) || !bounded(r, all, r.recipe->stage[i])) return false;
     if (angle < 0) continue;
     const int32_t pairs = number[0];
@@ -284,6 +298,7 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   stage.steps = f.steps;
   stage.level = f.level;
   uint8_t slot = 0;
+  if (map_numbers(f) > 0) stage.number[along::detail] = mapped::kDetailStandard;
   for (uint8_t i = 0; i < f.number_count; ++i) {
     const Number& n = f.numbers[i];
     stage.number[slot] = n.standard;

@@ -105,11 +105,13 @@ static void put_numbers(Writer& w, const Family& f, const int32_t* number) {
     put_number(w, f.numbers[i], number + slot, number[0]);
     slot = static_cast<uint8_t>(slot + slots_of(f.numbers[i].kind));
   }
+  for (uint8_t i = 0; i < map_numbers(f); ++i) put_number(w, along::numbers[i], number + along::map + i, 0);
 }
 
 static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver) {
   put_key(w, "solver");
   int32_t index = 0;
+  solver = evolve::with_map(solver, false);
   while (solver != f.solvers[index] && index < 3) ++index;
   put_word(w, f.solver_names, index);
 }

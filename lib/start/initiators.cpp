@@ -42,15 +42,22 @@ struct Segment {
   int32_t c, s;
 };
 
-// The segment of square (i, j) of the lattice, somewhere within it.
-static Segment segment_of(const Place& place, const Start& start, int64_t wide, int64_t high, int32_t i, int32_t j) {
+// The segment of square (i, j) of the lattice, somewhere within it. A way turns it: Q15 products, < 2^31.
+static Segment segment_of(const Place& place, const Start& start, int64_t wide, int64_t high, int32_t i, int32_t j,
+                          WayAt way_at) {
   const auto share = [&](uint8_t k) { return static_cast<int64_t>(base::hash(place.seed, kSegments + k, i, j) >> 16); };
   const int64_t length = cells(place, start.length);
   const uint16_t fan =
       static_cast<uint16_t>(static_cast<int64_t>(start.fan) * 65536 / (360 * static_cast<int64_t>(base::kMicro)));
   const uint16_t angle = static_cast<uint16_t>(base::angle_of(start.lean) + ((2 * share(3) - 65536) * fan >> 16));
-  return {i * wide + (share(0) * wide >> 16), j * high + (share(1) * high >> 16),
-          (length + (share(2) * length >> 16)) / 4, base::cosine(angle), base::sine(angle)};
+  Segment g = {i * wide + (share(0) * wide >> 16), j * high + (share(1) * high >> 16),
+               (length + (share(2) * length >> 16)) / 4, base::cosine(angle), base::sine(angle)};
+  if (way_at == nullptr) return g;
+  const Way way = way_at(place, static_cast<int32_t>(g.x >> 8), static_cast<int32_t>(g.y >> 8));
+  const int32_t c = (g.c * way.c - g.s * way.s) >> 15;
+  g.s = (g.c * way.s + g.s * way.c) >> 15;
+  g.c = c;
+  return g;
 }
 
 // The way from b to a, on a torus the nearest one.
@@ -71,7 +78,7 @@ static void segment_row(const Place& place, const Start& start, const Segment& g
   }
 }
 
-void segments_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
+void lay_segments(const Place& place, const Start& start, const Levels& levels, uint16_t y, void* row, WayAt way_at) {
   clear_row(place, levels, row);
   const int32_t value = disc_level(start, levels);
   if (value == levels.background) return;
@@ -91,7 +98,11 @@ void segments_row(const Place& place, const Start& start, const Levels& levels, 
   const int32_t last_j = place.plane ? static_cast<int32_t>((at + reach) / pitch + 1) : static_cast<int32_t>(down - 1);
   for (int32_t j = first_j; j <= last_j; ++j)
     for (int32_t i = first_i; i <= last_i; ++i)
-      segment_row(place, start, segment_of(place, start, wide, high, i, j), at, value, row);
+      segment_row(place, start, segment_of(place, start, wide, high, i, j, way_at), at, value, row);
+}
+
+void segments_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
+  lay_segments(place, start, levels, y, row, nullptr);
 }
 
 }  // namespace dapple::start

@@ -19,6 +19,7 @@ struct Place {
   int32_t x, y;
   bool plane;
   uint32_t seed;
+  const int32_t* table = nullptr;  // of the stage's solver, for starts that know it
 };
 
 // Fills one row of one plane; y in cells of the place.
@@ -40,6 +41,12 @@ void corner_seeds_row(const Place& place, const Start& start, const grid::Levels
 void point_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
 void line_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
 void segments_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
+// The same, `lean` being against the direction of a segment's middle: (cos, sin) in Q15 at a cell, x and y of the world.
+struct Way {
+  int32_t c, s;
+};
+using WayAt = Way (*)(const Place& place, int32_t x, int32_t y);
+void lay_segments(const Place& place, const Start& start, const grid::Levels& levels, uint16_t y, void* row, WayAt way);
 // Independent smooth noise in every plane, of blobs a pitch wide, about the background: two planes make every phase of a circle.
 void phases_row(const Place& place, const Start& start, const grid::Levels& levels, uint8_t plane, uint16_t y, void* row);
 

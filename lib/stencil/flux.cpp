@@ -93,6 +93,7 @@ static uint8_t mean_slot(const FluxSet& set, uint8_t stream, uint8_t turn) {
 static const FluxSet& set_of(const grid::Rows& rows) { return *reinterpret_cast<const FluxSet*>(rows.table); }
 
 static const SurfaceWork& work_on(const FluxSet& set) { return *images_of(set.map).surface->work; }
+static const StyleWork& styles_of(const FluxSet& set) { return *images_of(set.map).style.work; }
 
 void keep_map_row(const grid::Rows& rows) {
   const FluxSet& set = set_of(rows);
@@ -103,8 +104,8 @@ void keep_map_row(const grid::Rows& rows) {
     work_on(set).inverse_row(set.map, rows.y, rows.n, out);
   }
   if (set.styled)
-    style_row(set.map, rows.y, rows.n, grid::out16(rows, set.maps),
-              grid::out16(rows, static_cast<uint8_t>(set.maps + 1)));
+    styles_of(set).row(set.map, rows.y, rows.n, grid::out16(rows, set.maps),
+                       grid::out16(rows, static_cast<uint8_t>(set.maps + 1)));
 }
 
 // A stream's pulls and means on a surface; cells: the rows of its map and of V.
@@ -185,7 +186,7 @@ static void between(const Pulling& p, uint8_t k) {
       i16* const flux = slot(p.work, flux_slot(set, plane, ahead));
       i16* const out = grid::out16(*p.rows, plane);
       if (own_means) work_on(set).carry(link, lack, from, to, flux, p.work.n, stage);
-      else if (set.styled) carry_less(link, lack, from, to, flux, p.work.n, stage);
+      else if (set.styled) styles_of(set).carry(link, lack, from, to, flux, p.work.n, stage);
       else if (k == 0) carry_row(pull, pull_to, from, to, flux, p.work.n, stage);
       else move_row(pull, pull_to, from, to, behind, flux, out, p.work.n, stage);
       if ((set.styled || own_means) && k == 1) add_row(from, flux, behind, out, p.work.n);
@@ -230,7 +231,7 @@ static void chain(const FluxSet& set, const FluxWork& w, uint8_t plane, const i1
     } else if (set.styled) {
       i16* const less = slot(w, flux_slot(set, 1, 0));
       lack_row(lack, lack + stride, less, w.n);
-      carry_less(link, less, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
+      styles_of(set).carry(link, less, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     } else {
       carry_row(pull, pull + stride, copy, copy + stride, flux, w.n, stage_of(spread, 0, stage));
     }
@@ -265,6 +266,7 @@ void flux_chain_row(const grid::Rows& rows) {
   }
 }
 
+extern const StyleWork style_work = {style_row, carry_less};
 extern const SurfaceWork surface_work = {inverse_row, warp_stream, carry_mean};
 
 }  // namespace dapple::stencil

@@ -135,6 +135,13 @@ struct FluxStage {
   int16_t scale;
 };
 
+// What flux rows do with styles and nowhere else: rows of them; what links carry that are less by what they lack.
+struct StyleWork {
+  void (*row)(const DirectionMap& map, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k);
+  void (*carry)(const int16_t* link, const int16_t* lack, const int16_t* from, const int16_t* to, int16_t* flux,
+                uint16_t n, FluxStage s);
+};
+
 // What flux rows do on a surface and nowhere else: rows of V; a stream's pulls and means, from the rows of its map and
 // of V; what links carry with means of their own.
 struct SurfaceWork {

@@ -150,6 +150,8 @@ static void image_row(const DirectionMap& m, uint16_t row, uint16_t n, int16_t* 
   }
 }
 
+extern const ImageWork image_work = {image_row};
+
 static void swirl_row(const DirectionField& field, int32_t y, uint16_t n, int16_t* out) {
   constexpr uint8_t kAtOnce = 32;
   int8_t c2[kAtOnce], s2[kAtOnce];
@@ -164,7 +166,7 @@ void map_row(const DirectionMap& m, uint8_t index, int32_t y, uint16_t n, int16_
   y = folded(y, m.rows);
   if (m.kind == DirectionMap::swirl) return swirl_row(m.field, y, n, out);
   const uint16_t row = static_cast<uint16_t>(folded(m.y + y, m.height));
-  if (m.kind == DirectionMap::image) return image_row(m, row, n, out);
+  if (m.kind == DirectionMap::image) return images_of(m).direction.work->row(m, row, n, out);
   const uint16_t v = static_cast<uint16_t>(centre(row, m.height, 32768u));
   const int32_t gy = (base::sine(v) + 16) >> 5;
   const uint16_t bent = static_cast<uint16_t>((static_cast<int32_t>(base::sine(v)) * 6554) >> 15);  // .1 sin 2 pi v

@@ -8,12 +8,20 @@
 
 namespace dapple {
 
+namespace stencil {
+struct ImageWork;
+struct StyleWork;
+extern const ImageWork image_work;
+extern const StyleWork style_work;
+}  // namespace stencil
+
 // Directions from the caller, stretched over the tile: row by row pairs (127 cos 2 theta, 127 sin 2 theta), theta from
 // x towards y (down) along the stripes. Shorter vectors are more isotropic, longer ones count as 127. Cells between the
 // image's are interpolated, direction and length apart. Image and struct must outlive the texture.
 struct DirectionImage {
   const int8_t* pairs;
   uint16_t width, height;  // 1..kMostImage
+  const stencil::ImageWork* work = &stencil::image_work;  // below: programs without pictures link none of it
 };
 constexpr int32_t kMostImage = 256;
 
@@ -25,6 +33,7 @@ constexpr int32_t kMostImage = 256;
 struct StyleImage {
   const uint8_t* cells;
   uint16_t width, height;  // 1..kMostImage
+  const stencil::StyleWork* work = &stencil::style_work;
 };
 
 // A grey picture from the caller, stretched over the tile and interpolated: a byte a cell, row by row.
@@ -34,7 +43,7 @@ struct GreyImage {
 };
 
 // What a stage finds in Stage::stored. Of the mapped family: directions for map=image, styles for solver=styled, a measured
-// surface for solver=surface. Of kinetics: the picture of solver=pictured.
+// surface for solver=surface. Of kinetics: directions, and the picture of solver=pictured.
 struct PlaceMaps {
   DirectionImage direction;
   StyleImage style;
@@ -114,6 +123,11 @@ void inverse_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* const*
 // 64); rho's steps from -128 in the high byte, k's share in the low one.
 constexpr uint8_t kStyleRows = 2;
 void style_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k);
+
+// What maps do with a picture of directions and nowhere else: a row of it, its world row folded.
+struct ImageWork {
+  void (*row)(const DirectionMap& map, uint16_t row, uint16_t n, int16_t* out);
+};
 
 // A row of n cells of a grey picture, Q8: 0..65280. (x, y): the world's first cell, any; width, height: of the period.
 void grey_row(const GreyImage& image, int32_t x, int32_t y, uint16_t width, uint16_t height, uint16_t n, int32_t* out);

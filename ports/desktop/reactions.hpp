@@ -37,8 +37,7 @@ static bool reacted(const grid::Rows& rows) {
   const i32* p = rows.p;
   if (rows.part[0] != DAPPLE_OURS(DAPPLE_SET, stencil_five_wide_row)) return false;
   if (react == DAPPLE_OURS(DAPPLE_SET, turing_react_row)) {
-    if (p[turing::kGrown] != 0) reaction_row(rows, turing::reaction_of<true>(p));
-    else reaction_row(rows, turing::reaction_of<false>(p));
+    reaction_row(rows, turing::reaction_of(p));
   } else if (react == DAPPLE_OURS(DAPPLE_SET, meinhardt_spots_react_row)) {
     reaction_row(rows, meinhardt_spots::reaction_of(p));
   } else if (react == DAPPLE_OURS(DAPPLE_SET, schnakenberg_react_row)) {

@@ -62,8 +62,9 @@ EXPORT(family)(int32_t index) -> const char* {
 // Number `index` of a family: its name, or 0; told: Number::Kind, low, high, standard, words.
 EXPORT(number)(int32_t family, int32_t index) -> const char* {
   const recipe::Family& f = offered::kAll.family[family];
-  if (index >= f.number_count) return nullptr;
-  const Number& n = f.numbers[index];
+  const int32_t of_map = index - f.number_count;
+  if (of_map >= recipe::map_numbers(f)) return nullptr;
+  const Number& n = of_map < 0 ? f.numbers[index] : along::numbers[of_map];
   const int32_t told[] = {n.kind, n.low, n.high, n.standard, address(n.words)};
   for (uint8_t i = 0; i < 5; ++i) told_numbers[i] = told[i];
   return n.name;

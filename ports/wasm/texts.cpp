@@ -14,7 +14,9 @@ constexpr char kPresets[] =
 
 int main() {
   fwrite(kPresets, 1, sizeof kPresets, stdout);
-  for (const dapple::recipe::Family& family : dapple::recipe::families)
+  for (const dapple::recipe::Family& family : dapple::recipe::families) {
     for (uint8_t i = 0; i < family.number_count; ++i) printf("%s%c", family.numbers[i].unit, 0);
+    for (uint8_t i = 0; i < map_numbers(family); ++i) printf("%s%c", dapple::along::units[i], 0);
+  }
   return ferror(stdout) != 0 || fflush(stdout) != 0;
 }

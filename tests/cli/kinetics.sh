@@ -79,6 +79,27 @@ test_dials() {
   refused 1 "whole tile" -- grow turing steps=6 coverage=0.2 --at 0,0
 }
 
+# A map of directions, made or from a picture; segments along it; what cannot be is refused in words.
+test_map() {
+  local small="--size 64 steps=30 aspect=2"
+  printf 'P5\n8 1\n255\n\0\40\100\140\200\140\100\40' > "$folder/slope.pgm"
+  # shellcheck disable=SC2086
+  {
+    differ "map=swirl" "$(hash_of turing $small map=swirl)" "$(hash_of turing $small)"
+    differ "detail" "$(hash_of turing $small map=swirl detail=0.5)" "$(hash_of turing $small map=swirl)"
+    equal "map=none" "$(hash_of turing $small map=none detail=0.7)" "$(hash_of turing $small)"
+    differ "map=@FILE" "$(hash_of turing $small map=@"$folder/slope.pgm")" "$(hash_of turing $small)"
+    equal "map: threads" "$(hash_of turing $small map=bends --threads 3)" "$(hash_of turing $small map=bends --budget 7)"
+  }
+  differ "segments along a map" "$(hash_of random-stripes --size 64 --steps 0 map=radial)" "$(hash_of random-stripes --size 64 --steps 0)"
+  check "map: bytes" grep -qF -e '"planes_bytes": 49152' <<< "$(run info turing map=swirl --size 64 --json)"
+  refused 2 "'swril' is not one of none|radial" -- grow turing map=swril
+  refused 2 "'2' is out of range, 0.01 to 1" -- grow turing map=swirl detail=2
+  refused 2 "map=@FILE" -- grow turing map=image
+  refused 2 "exclude each other" -- grow turing solver=pictured map=swirl
+  refused 2 "'map' is not a key of gray-scott" -- grow gray-scott map=swirl
+}
+
 # Half of the memory: what info says, and what it is not for.
 test_compact() {
   check "compact: kind of cell" grep -qF -e "int16" <<< "$(run info turing cells=compact)"
@@ -107,7 +128,7 @@ test_freeze() {
   done
 }
 
-for part in picture frames dials compact freeze; do
+for part in picture frames dials map compact freeze; do
   test_$part
 done
 echo "kinetics: $passed passed, $failed failed"

@@ -15,6 +15,7 @@ using reference::Grid;
 using reference::Named;
 using reference::Plane;
 using reference::Threshold;
+using reference::Vector;
 namespace mapped = dapple::mapped;
 
 namespace {
@@ -22,10 +23,6 @@ namespace {
 constexpr Grid kGrid = {256, 256};
 const double kPi = std::acos(-1.0);
 
-// (cos, sin) of the doubled direction, at most 1 long.
-struct Vector {
-  double c, s;
-};
 Vector doubled(double theta) { return {std::cos(2 * theta), std::sin(2 * theta)}; }
 Vector unit(double c, double s) { return {c / std::hypot(c, s), s / std::hypot(c, s)}; }
 
@@ -79,9 +76,10 @@ Vector corners(double u, double v, double detail) {
   return unit(sum.c, sum.s);
 }
 
-Vector map_at(const int32_t* number, double u, double v, int pair) {
-  const double detail = number[mapped::detail] / 1e6;
-  switch (number[mapped::map]) {
+}  // namespace
+
+Vector reference::map_at(int32_t map, double detail, double u, double v, int pair) {
+  switch (map) {
     case mapped::radial:
       return radial(u, v, detail);
     case mapped::scallop:
@@ -96,6 +94,8 @@ Vector map_at(const int32_t* number, double u, double v, int pair) {
       return {1, 0};
   }
 }
+
+namespace {
 
 // The eight ways, and each one's share of A = m I + d [[c, s], [s, -c]]: the vector (c, s) is a sum of the two doubled
 // ways beside it, and what the axes get less for that is m - d times the sum of both.
@@ -163,7 +163,9 @@ Plane shares_of(const dapple::Recipe& recipe, const Threshold& t, int plane, int
   Plane all;
   for (int y = 0; y < kGrid.height; ++y)
     for (int x = 0; x < kGrid.width; ++x) {
-      const Vector p = map_at(recipe.stage[0].number, (x + 0.5) / kGrid.width, (y + 0.5) / kGrid.height, plane / 2);
+      const int32_t* const number = recipe.stage[0].number;
+      const Vector p = reference::map_at(number[mapped::map], number[mapped::detail] / 1e6, (x + 0.5) / kGrid.width,
+                                         (y + 0.5) / kGrid.height, plane / 2);
       const Vector turn = doubled(t.angle[plane / 2]);
       all.push_back(share(way, (a1 * a1 + a2 * a2) / 2, (a1 * a1 - a2 * a2) / 2,
                           {p.c * turn.c - p.s * turn.s, p.c * turn.s + p.s * turn.c}));

@@ -69,6 +69,13 @@ std::vector<Plane> grow_by_passes(const Threshold& t, std::vector<Plane> planes,
 std::vector<Plane> grow_by_gaussian(const Threshold& t, std::vector<Plane> planes, const Grid& grid);
 std::vector<Plane> grow_by_euler(const Threshold& t, std::vector<Plane> planes, const Grid& grid, int sub_steps);
 
+// --- mapped.cpp ---
+// (cos, sin) of the doubled direction of a mapped::Kind at a place of the tile, at most 1 long.
+struct Vector {
+  double c, s;
+};
+Vector map_at(int32_t map, double detail, double u, double v, int pair);
+
 // --- Threshold presets and the library's result ---
 struct Named {
   std::string name;

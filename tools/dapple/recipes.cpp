@@ -81,6 +81,8 @@ static std::string outside(const std::string& text, const Trouble& trouble, cons
 
 // Which words exclude each other follows from the word that was met.
 static std::string impossible(const Trouble& trouble, const std::string& word) {
+  if (trouble.allowed != nullptr && trouble.allowed == dapple::along::numbers[0].name)
+    return "map= and solver=pictured (growth=@FILE) exclude each other";
   if (trouble.allowed != nullptr)
     return "wavelength=, spot_size= and coverage= follow from each other: two of them are enough";
   if (word.find("repeat") != std::string::npos)
@@ -281,6 +283,7 @@ std::vector<std::string> keys_of(const Family& family) {
     keys.push_back(family.numbers[i].name);
     if (family.numbers[i].kind == dapple::Number::angles) keys.push_back("angles");
   }
+  for (uint8_t i = 0; i < map_numbers(family); ++i) keys.push_back(dapple::along::numbers[i].name);
   if (family.dials.settled > 0) keys.push_back("spot_size");
   if (family.compact != family.model) keys.push_back("cells");
   return keys;
