@@ -4,8 +4,8 @@
 
 namespace dapple::stencil {
 
-static void strip_wide(const grid::Rows& rows) { strip_words<Wide>(*static_cast<const Strip*>(rows.in[0])); }
-static void turn_wide(const grid::Rows& rows) { turn_words<Wide>(*static_cast<const Turning*>(rows.in[0])); }
+inline void strip_wide(const grid::Rows& rows) { strip_words<Wide>(*static_cast<const Strip*>(rows.in[0])); }
+inline void turn_wide(const grid::Rows& rows) { turn_words<Wide>(*static_cast<const Turning*>(rows.in[0])); }
 
 // Where a cell is on as soon as one mask says so, no sums need be compared: signs are enough.
 static void convolve_signs(const grid::Rows& rows, const Job<Wide>& job) {
@@ -78,7 +78,7 @@ static void field_of(const grid::Rows& rows, const Job<Wide>& job) {
 }
 
 static void field_wide(const grid::Rows& rows) { field_of(rows, job_of<Wide>(rows, true)); }
-static void field_stored_wide(const grid::Rows& rows) { field_of(rows, stored_job<Wide>(rows, true)); }
+inline void field_stored_wide(const grid::Rows& rows) { field_of(rows, stored_job<Wide>(rows, true)); }
 
 static void lean_of(const grid::Rows& rows, const Job<Wide>& job) {
   for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
@@ -86,7 +86,7 @@ static void lean_of(const grid::Rows& rows, const Job<Wide>& job) {
     store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word<false>(rows, job, at, most));
   }
 }
-static void lean_wide(const grid::Rows& rows) { lean_of(rows, job_of<Wide>(rows, false)); }
-static void stored_wide(const grid::Rows& rows) { lean_of(rows, stored_job<Wide>(rows, false)); }
+inline void lean_wide(const grid::Rows& rows) { lean_of(rows, job_of<Wide>(rows, false)); }
+inline void stored_wide(const grid::Rows& rows) { lean_of(rows, stored_job<Wide>(rows, false)); }
 
 }  // namespace dapple::stencil

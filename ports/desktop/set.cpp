@@ -5,7 +5,7 @@
 // so that nothing in it, inline functions and templates included, has a name that the rest of the program knows: a
 // linker must never take a function with the wrong instructions. The kernels go out by C names (tables.cpp).
 // SPDX-License-Identifier: MIT
-#include "wide.hpp"
+#include "trees.hpp"
 
 #include "../../lib/base/math.cpp"
 #include "../../lib/grid/patch.cpp"

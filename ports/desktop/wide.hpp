@@ -55,17 +55,13 @@ inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
   const Lanes before = moved_up(here, static_cast<uint64_t>(*(row + at - 1)) << 56),
               after = moved_down(here, row[at + sizeof here]);
   copy[r] = here;
+  for (uint8_t k = 1; base::kSmallCode && k <= r; ++k) {
+    copy[r - k] = (here << k) | (before >> (64 - k));
+    copy[r + k] = (here >> k) | (after << (64 - k));
+  }
+  if constexpr (base::kSmallCode) return;
   copy_back<1>(Wide(here), Wide(before), r, copy + r);
   copy_on<1>(Wide(here), Wide(after), r, copy + r);
-}
-
-// Takes numbers from the sum by borrows instead of adding to its complement. As strip_column, not for sanitizers.
-template <bool rom>
-__attribute__((no_sanitize("address", "undefined"))) inline void add_taps(const Taps& taps, const Wide* copies,
-                                                                          Wide* sum) {
-  static_assert(!rom, "desktops have no memory of another kind");
-  for (uint8_t i = 0; i < kSumBits; ++i) sum[i] = ~sum[i];
-  take_all(taps.count, taps.index, copies, sum);
 }
 
 // The first bytes of a word, as many as there are left of a row.
