@@ -3,6 +3,7 @@
 #include "driver.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "../../lib/evolve/kinetics.hpp"
 #include "../../lib/model/cells.hpp"
@@ -178,22 +179,48 @@ static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
   return reach.sweeps == 1 && !once && !run.domain.plane && run.stage.steps - run.step >= 2 && takes_window(run);
 }
 
+// Steps of the same numbers make the same of a state.
+static bool same_steps(const std::vector<evolve::Sweep>& sweeps, const evolve::Sweep& as) {
+  return std::all_of(sweeps.begin(), sweeps.end(), [&](const evolve::Sweep& s) {
+    return s.row == as.row && std::memcmp(s.p, as.p, sizeof s.p) == 0;
+  });
+}
+
+uint32_t Driver::many_at_once(evolve::Run& run) {
+  const evolve::Field& field = run.field;
+  const size_t bytes = field.row_bytes * field.height;
+  const uint8_t planes = sweeps_.front().count;
+  before_.resize(bytes * planes);
+  for (uint8_t i = 0; i < planes; ++i) std::memcpy(&before_[i * bytes], evolve::row_of(field, i, 0), bytes);
+  fused_[0].run(field, {sweeps_.data(), sweeps_.size(), field.cell == grid::Cell::bit, false, run.table, field.scratch});
+  for (uint8_t i = 0; i < planes; ++i)
+    if (std::memcmp(&before_[i * bytes], evolve::row_of(field, i, 0), bytes) != 0) return 0;
+  return same_steps(sweeps_, sweeps_.front()) ? static_cast<uint32_t>(sweeps_.size()) : 0;
+}
+
+// Once so many steps have left every cell as it was, as many more of the same numbers do so too.
 uint32_t Driver::many_steps(evolve::Run& run, uint32_t rows) {
-  const uint32_t steps = std::min({run.stage.steps - run.step, rows / run.field.height, kStepsAtOnce});
-  sweeps_.clear();
-  while (sweeps_.size() < steps && evolve::take_sweep(run)) {
-    sweeps_.push_back(run.sweep);
-    evolve::take_sweep(run);  // the step is complete
-  }
-  const bool bits = run.field.cell == grid::Cell::bit;
-  fused_[0].run(run.field, {sweeps_.data(), sweeps_.size(), bits, false, run.table, run.field.scratch});
-  return static_cast<uint32_t>(sweeps_.size()) * run.field.height;
+  uint32_t done = 0, still = 0;
+  evolve::Sweep before{};
+  do {
+    const uint32_t steps = std::min({run.stage.steps - run.step, rows / run.field.height - done, kStepsAtOnce});
+    sweeps_.clear();
+    while (sweeps_.size() < steps && evolve::take_sweep(run)) {
+      sweeps_.push_back(run.sweep);
+      evolve::take_sweep(run);  // the step is complete
+    }
+    if (still == steps && same_steps(sweeps_, before)) left_out_ += steps;
+    else still = many_at_once(run);
+    before = sweeps_.front();
+    done += steps;
+  } while (still > 0 && run.step < run.stage.steps && done < rows / run.field.height);
+  return done * run.field.height;
 }
 
 uint32_t Driver::whole_step(evolve::Run& run, uint32_t rows) {
   const evolve::Reach reach = run.solver.reach(run.model, run.stage.number, run.stage.level, run.stage.stored);
   if (rows / run.field.height < static_cast<uint32_t>(reach.sweeps) + reach.once) return 0;
-  if (Masks::fits(run)) return masks_.steps(run, crew_, rows);
+  if (Masks::fits(run)) return masks_.steps(run, crew_, rows, left_out_);
   // Small planes: steps fused on one thread take less time than waiting for each other after every step.
   const bool small = run.field.row_bytes * run.field.height * run.model.planes(run.stage.number) <= kSmallPlanes;
   if ((crew_.size() == 1 || small) && run.field.height >= 8 && can_flow(run, reach)) return many_steps(run, rows);

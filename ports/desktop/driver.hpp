@@ -20,9 +20,14 @@ class Driver : public evolve::Driver {
  public:
   explicit Driver(unsigned threads);
 
+  // Steps of one-bit cells and of kinetics that were left out so far, since steps of the same numbers before them had
+  // changed no cell.
+  uint64_t left_out() const { return left_out_; }
+
  private:
   uint32_t whole_step(evolve::Run& run, uint32_t rows);
   uint32_t many_steps(evolve::Run& run, uint32_t rows);
+  uint32_t many_at_once(evolve::Run& run);  // how many they are, if they change nothing
   // Threads there is scratch memory for.
   unsigned hands(const evolve::Run& run) const {
     return crew_.size() < run.field.bands ? crew_.size() : run.field.bands;
@@ -42,6 +47,8 @@ class Driver : public evolve::Driver {
   std::vector<std::pair<size_t, size_t>> planes_;
   stencil::Pulled pulled_{};
   std::vector<uint8_t> pulls_;
+  std::vector<uint8_t> before_;  // planes, before many steps
+  uint64_t left_out_ = 0;
 };
 
 }  // namespace dapple::desktop

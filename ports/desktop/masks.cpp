@@ -175,6 +175,17 @@ void Masks::Grid::go_round(uint16_t first, uint16_t end, bool leans) {
   }
 }
 
+// Ends with the first row that differs.
+bool Masks::Grid::same_cells(const Grid& as) const {
+  const size_t whole = bits.width / 8;
+  const unsigned rest = (1u << bits.width % 8) - 1;
+  for (uint16_t y = 0; y < bits.height; ++y) {
+    const uint8_t *const a = bits.rows + bits.pitch * y, *const b = as.bits.rows + as.bits.pitch * y;
+    if (std::memcmp(a, b, whole) != 0 || ((a[whole] ^ b[whole]) & rest) != 0) return false;
+  }
+  return true;
+}
+
 void Masks::lay_out(const evolve::Run& run) {
   const evolve::Field& f = run.field;
   const uint16_t width = over_ ? f.height : f.width, height = over_ ? f.width : f.height;
@@ -256,7 +267,7 @@ void Masks::one_step(const evolve::Run& run, Crew* crew) {
   std::swap(now_, next_);
 }
 
-uint32_t Masks::steps(evolve::Run& run, Crew& crew, uint32_t rows) {
+uint32_t Masks::steps(evolve::Run& run, Crew& crew, uint32_t rows, uint64_t& left_out) {
   const evolve::Field& field = run.field;
   strip_row_ = grid::choose(run.kernels, stencil::strip_row);
   turn_row_ = grid::choose(run.kernels, stencil::turn_row);
@@ -265,9 +276,17 @@ uint32_t Masks::steps(evolve::Run& run, Crew& crew, uint32_t rows) {
   load(field);
   const bool alone = crew.size() == 1 || uint32_t{field.width} * field.height < kSmallGrid;
   uint32_t done = 0;
+  bool still = false;  // a step of `threshold` changes nothing
+  int32_t threshold = 0;
   while (rows - done >= field.height && run.step < run.stage.steps && evolve::take_sweep(run)) {
     done += field.height - 2u * run.sweep.margin;
-    one_step(run, alone ? nullptr : &crew);
+    if (still && run.sweep.p[1] == threshold) {
+      ++left_out;
+    } else {
+      threshold = run.sweep.p[1];
+      one_step(run, alone ? nullptr : &crew);
+      still = !run.domain.plane && now_.same_cells(next_);
+    }
     evolve::take_sweep(run);  // the step is complete
   }
   store(field);

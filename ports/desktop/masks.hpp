@@ -14,8 +14,9 @@ class Masks {
  public:
   static bool fits(const evolve::Run& run);
 
-  // As many whole steps of the stage as `rows` rows of work allow; the rows done.
-  uint32_t steps(evolve::Run& run, Crew& crew, uint32_t rows);
+  // As many whole steps of the stage as `rows` rows of work allow; the rows done. Those that need not be done, since one
+  // of the same numbers has changed no cell, are added to left_out.
+  uint32_t steps(evolve::Run& run, Crew& crew, uint32_t rows, uint64_t& left_out);
 
  private:
   enum { upright, right, left, turned, worlds };
@@ -26,6 +27,7 @@ class Masks {
     stencil::BitGrid bits;
     void lay_out(uint16_t width, uint16_t height, bool plane, bool leans);
     void go_round(uint16_t first, uint16_t end, bool leans);
+    bool same_cells(const Grid& as) const;
   };
 
   // The masks of a stage, made when it began or stored.
