@@ -45,24 +45,19 @@ void segments_along_row(const start::Place& place, const Start& start, const gri
 
 inline constexpr Solver along_solver DAPPLE_ROM = {
     along_reach,   along_next, prepare_along, kinetics_field, accepts_along,
-    Sharing::none, 1,          nullptr,       false,          look_at_share};
-inline constexpr Solver cascade_along_solver DAPPLE_ROM = {cascade_along_reach,
-                                                           cascade_along_next,
-                                                           prepare_along,
-                                                           cascade_field,
-                                                           accepts_along,
-                                                           Sharing::none,
-                                                           1,
-                                                           nullptr,
-                                                           true,
-                                                           look_at_share};
+    Sharing::none, 1,          nullptr,       false,          Maps::on,
+    look_at_share};
+inline constexpr Solver cascade_along_solver DAPPLE_ROM = {
+    cascade_along_reach, cascade_along_next, prepare_along, cascade_field, accepts_along,
+    Sharing::none,       1,                  nullptr,       true,          Maps::on,
+    look_at_share};
 
-// The solver that does the same along a map, or without one; null: there is none.
+// The solver that does the same along a map, or without one; one that knows no maps itself. Told by what solvers say of
+// themselves: for gcc's -fsanitize=undefined it is no constant whether two solvers are the same.
 constexpr const Solver* with_map(const Solver* solver, bool map) {
-  if (solver == &kinetics_solver || solver == &along_solver) return map ? &along_solver : &kinetics_solver;
-  if (solver == &cascade_solver || solver == &cascade_along_solver)
-    return map ? &cascade_along_solver : &cascade_solver;
-  return map ? nullptr : solver;
+  if (solver->maps == Maps::unknown) return solver;
+  if (solver->freezes) return map ? &cascade_along_solver : &cascade_solver;
+  return map ? &along_solver : &kinetics_solver;
 }
 
 }  // namespace dapple::evolve

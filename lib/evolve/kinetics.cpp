@@ -152,7 +152,7 @@ void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Swee
   sweep.part[0] = grid::choose(context.kernels, isotropic ? round : oval);
   sweep.part[1] = grid::choose(context.kernels, context.model->react);
   context.model->values(context.number, context.clock, sweep.p);
-  sweep.p[kStepOf] = static_cast<int32_t>(context.clock.step);
+  sweep.p[kStepOf] = context.table[cut_bits] != 0 ? static_cast<int32_t>(context.clock.step) : 0;
 }
 
 bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {

@@ -32,7 +32,7 @@ enum KineticTable : uint8_t {
   table_count
 };
 
-constexpr uint8_t kStepOf = kMaxValues - 1;  // of a sweep's p: which step this is
+constexpr uint8_t kStepOf = kMaxValues - 1;  // of a sweep's p: which step this is, for compact cells
 constexpr int32_t kVaryCut = 1 << (kinetics::kVaryBits - kinetics::kCompactVary);  // deviations of compact cells
 
 // Planes kept behind the model's own: the deviations of a rate from cell to cell, then what is held.
@@ -115,12 +115,15 @@ void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Swee
 
 inline constexpr Solver kinetics_solver DAPPLE_ROM = {
     kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share,
-    Sharing::none,  1,             nullptr,          false,          look_at_share};
+    Sharing::none,  1,             nullptr,          false,          Maps::off,
+    look_at_share};
 inline constexpr Solver cascade_solver DAPPLE_ROM = {
     cascade_reach, cascade_next, prepare_kinetics, cascade_field, accepts_share,
-    Sharing::none, 1,            nullptr,          true,          look_at_share};
+    Sharing::none, 1,            nullptr,          true,          Maps::off,
+    look_at_share};
 inline constexpr Solver pictured DAPPLE_ROM = {
     pictured_reach, pictured_next, prepare_pictured, kinetics_field, accepts_picture,
-    Sharing::none,  1,             nullptr,          false,          look_at_share};
+    Sharing::none,  1,             nullptr,          false,          Maps::unknown,
+    look_at_share};
 
 }  // namespace dapple::evolve

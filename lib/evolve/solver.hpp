@@ -89,6 +89,12 @@ enum class Sharing : uint8_t {
   state,     // the planes are blended now and then
 };
 
+enum class Maps : uint8_t {
+  unknown,  // along.hpp has no solver that does the same along a map
+  off,      // it has
+  on        // this is one
+};
+
 struct Solver {
   Reach (*reach)(const Model& model, const int32_t* number, uint8_t level, const void* stored);
   // Fills `sweep` with the next sweep of this step; false when the step is complete. cursor.sweep == 0 begins a step.
@@ -104,6 +110,7 @@ struct Solver {
   uint8_t sharing_steps = 1;  // Sharing::state: from one blend to the next
   bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
   bool freezes = false;  // can begin a stage by freeze and reset
+  Maps maps = Maps::unknown;
   // Before rows of the field are made, whenever planes have moved: what they want to know of all cells, into the run's
   // table. row: room for one row of the domain.
   void (*look)(const Run& run, int16_t* row, uint8_t* work) = nullptr;

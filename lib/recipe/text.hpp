@@ -242,10 +242,12 @@ constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
 constexpr bool follow_map(Reader& r, Word all, Stage& stage) {
   Start& start = r.recipe->start;
   const bool map = stage.number[along::map] != mapped::none;
+  if (map && stage.solver->maps == evolve::Maps::unknown)
+    return fail(r, not_possible, all, 0, 0, false, along::numbers[0].name);
   stage.solver = evolve::with_map(stage.solver, map);
   if (stage.entry == Entry::start && start.kind == Start::segments)
     start.row = map ? evolve::segments_along_row : start::segments_row;
-  return stage.solver != nullptr || fail(r, not_possible, all, 0, 0, false, along::numbers[0].name);
+  return true;
 }
 
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
