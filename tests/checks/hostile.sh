@@ -19,7 +19,6 @@ builds() {
     can_build $compiler -m32 && echo "one $compiler -O2 -m32"
   done
   echo "one g++ -O0 -funsigned-char"
-  echo "many g++ -O1"
   echo "many clang++ -O2 $sanitize"
 }
 
