@@ -131,8 +131,8 @@ uint64_t Chunks::distance_of(int32_t cx, int32_t cy) const {
   return static_cast<uint64_t>(dx * dx + dy * dy);
 }
 
-// The chunk in sight nearest to the middle of the view, of those that are missing; false: none is.
-bool Chunks::find_missing(int32_t& x, int32_t& y) const {
+// The chunk in sight nearest to the middle of the view, of those that are missing, of which there are some.
+void Chunks::find_missing(int32_t& x, int32_t& y) const {
   uint64_t nearest = UINT64_MAX;
   for (int32_t cy = sight_.top; cy <= sight_.bottom; ++cy)
     for (int32_t cx = sight_.left; cx <= sight_.right; ++cx) {
@@ -142,7 +142,6 @@ bool Chunks::find_missing(int32_t& x, int32_t& y) const {
       x = cx;
       y = cy;
     }
-  return nearest != UINT64_MAX;
 }
 
 // begin has checked all there is to check.

@@ -193,7 +193,7 @@ class Chunks {
   uint16_t& bucket_of(int32_t cx, int32_t cy) const;
   uint8_t* pixels_of(uint16_t slot) const { return pixels_ + slot * pixel_step_; }
   uint64_t distance_of(int32_t cx, int32_t cy) const;
-  bool find_missing(int32_t& x, int32_t& y) const;
+  void find_missing(int32_t& x, int32_t& y) const;
   void begin_texture(Texture& texture, int32_t cx, int32_t cy, uint8_t* memory, const Options& options) const;
   void open_nearest();
   uint16_t make_room();

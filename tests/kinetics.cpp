@@ -7,9 +7,10 @@
 #include <string>
 
 #include "base/reciprocal.hpp"
-#include "grow.hpp"
+#include "kinetics.hpp"
 
 namespace kinetics = dapple::kinetics;
+using tests::field_of;
 using tests::Grown;
 using tests::recipe_of;
 using tests::refusal;
@@ -18,15 +19,6 @@ namespace {
 
 constexpr const char* kFamilies[] = {"turing",          "meinhardt-spots", "meinhardt-stripes",
                                      "fitzhugh-nagumo", "schnakenberg",    "brusselator"};
-
-std::vector<int16_t> field_of(const std::string& text, dapple::Domain domain, uint32_t budget = UINT32_MAX,
-                              uint8_t bands = 1) {
-  dapple::Options options;
-  options.bands = bands;
-  Grown grown(recipe_of(text.c_str()), domain, 5, budget, options);
-  REQUIRE_MESSAGE(grown.status == dapple::ok, text);
-  return grown.field();
-}
 
 }  // namespace
 

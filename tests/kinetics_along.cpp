@@ -7,10 +7,11 @@
 #include <random>
 #include <string>
 
-#include "grow.hpp"
+#include "kinetics.hpp"
 #include "stencil/diffuse.hpp"
 
 namespace stencil = dapple::stencil;
+using tests::field_of;
 using tests::Grown;
 using tests::recipe_of;
 using tests::refusal;
@@ -18,15 +19,6 @@ using tests::refusal;
 namespace {
 
 const char* const kMaps[] = {"none", "radial", "scallop", "haunch", "two-angle", "swirl", "bends", "corners"};
-
-std::vector<int16_t> field_of(const std::string& text, dapple::Domain domain, uint32_t budget = UINT32_MAX,
-                              uint8_t bands = 1) {
-  dapple::Options options;
-  options.bands = bands;
-  Grown grown(recipe_of(text.c_str()), domain, 5, budget, options);
-  REQUIRE_MESSAGE(grown.status == dapple::ok, text);
-  return grown.field();
-}
 
 // Where the spots of a square point (degrees), by the structure tensor, and how sure that is, 0..1.
 struct Lean {

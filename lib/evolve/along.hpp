@@ -43,14 +43,10 @@ void prepare_along(const Context& context);
 void segments_along_row(const start::Place& place, const Start& start, const grid::Levels& levels, uint8_t plane,
                         uint16_t y, void* row);
 
-inline constexpr Solver along_solver DAPPLE_ROM = {
-    along_reach,   along_next, prepare_along, kinetics_field, accepts_along,
-    Sharing::none, 1,          nullptr,       false,          Maps::on,
-    look_at_share};
-inline constexpr Solver cascade_along_solver DAPPLE_ROM = {
-    cascade_along_reach, cascade_along_next, prepare_along, cascade_field, accepts_along,
-    Sharing::none,       1,                  nullptr,       true,          Maps::on,
-    look_at_share};
+inline constexpr Solver along_solver DAPPLE_ROM =
+    kinetics_of(along_reach, along_next, prepare_along, kinetics_field, accepts_along, false, Maps::on);
+inline constexpr Solver cascade_along_solver DAPPLE_ROM =
+    kinetics_of(cascade_along_reach, cascade_along_next, prepare_along, cascade_field, accepts_along, true, Maps::on);
 
 // The solver that does the same along a map, or without one; one that knows no maps itself. Told by what solvers say of
 // themselves: for gcc's -fsanitize=undefined it is no constant whether two solvers are the same.

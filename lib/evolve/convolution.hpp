@@ -20,22 +20,27 @@ constexpr uint8_t shapes_of(const int32_t* number, stencil::MaskShape* shapes) {
   return count;
 }
 
-// The masks of these numbers, for n of them (one for two orientations summed); a set of no masks when n is another number.
-template <uint8_t n> constexpr stencil::StoredMasks<n> stored_masks(const int32_t* number) {
-  stencil::StoredMasks<n> result{};
+// The masks of these numbers, set.count of them (one for two orientations summed); false where one cannot be made.
+constexpr bool make_stored(const int32_t* number, stencil::StoredSet& set, stencil::Taps* taps) {
   stencil::MaskShape shapes[stencil::kMaxMasks] = {};
   const uint8_t count = shapes_of(number, shapes);
-  const uint8_t made = summed(number) ? 1 : count;
-  if (made != n) return result;
-  result.set = {n, shapes[0].radius, 0};
-  for (uint8_t i = 0; i < n; ++i) {
+  const bool sums = summed(number);
+  set = {sums ? uint8_t{1} : count, shapes[0].radius, 0};
+  for (uint8_t i = 0; i < set.count; ++i) {
     stencil::Mask mask{};
-    if (!stencil::make_mask(shapes + i, summed(number) ? count : 1, mask)) return stencil::StoredMasks<n>{};
-    if (i == 0) result.set.sum = mask.sum;
+    if (!stencil::make_mask(shapes + i, sums ? count : uint8_t{1}, mask)) return false;
+    if (i == 0) set.sum = mask.sum;
     const uint8_t side = static_cast<uint8_t>(2 * mask.radius + 1);
-    stencil::make_taps(mask.weight, side, side, result.taps[i]);
+    if (!stencil::make_taps(mask.weight, side, side, taps[i])) return false;
   }
-  return result;
+  return true;
+}
+
+// The same for n of them; a set of no masks when n is another number.
+template <uint8_t n> constexpr stencil::StoredMasks<n> stored_masks(const int32_t* number) {
+  stencil::StoredMasks<n> result{};
+  const uint8_t count = summed(number) ? uint8_t{1} : static_cast<uint8_t>(number[bits::masks]);
+  return count == n && make_stored(number, result.set, result.taps) ? result : stencil::StoredMasks<n>{};
 }
 
 constexpr Reach convolution_reach(const int32_t* number, bool kept) {

@@ -113,17 +113,17 @@ void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value);
 void enter_sweep(const Context& context, bool has_mask, Sweep& sweep);
 void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep);
 
-inline constexpr Solver kinetics_solver DAPPLE_ROM = {
-    kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share,
-    Sharing::none,  1,             nullptr,          false,          Maps::off,
-    look_at_share};
-inline constexpr Solver cascade_solver DAPPLE_ROM = {
-    cascade_reach, cascade_next, prepare_kinetics, cascade_field, accepts_share,
-    Sharing::none, 1,            nullptr,          true,          Maps::off,
-    look_at_share};
-inline constexpr Solver pictured DAPPLE_ROM = {
-    pictured_reach, pictured_next, prepare_pictured, kinetics_field, accepts_picture,
-    Sharing::none,  1,             nullptr,          false,          Maps::unknown,
-    look_at_share};
+// They share nothing between tiles, and look for a share of all cells.
+constexpr Solver kinetics_of(decltype(Solver::reach) reach, decltype(Solver::next) next,
+                             decltype(Solver::prepare) prepare, grid::RowKernel field,
+                             decltype(Solver::accepts) accepts, bool freezes, Maps maps) {
+  return {reach, next, prepare, field, accepts, Sharing::none, 1, nullptr, freezes, maps, look_at_share};
+}
+inline constexpr Solver kinetics_solver DAPPLE_ROM =
+    kinetics_of(kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share, false, Maps::off);
+inline constexpr Solver cascade_solver DAPPLE_ROM =
+    kinetics_of(cascade_reach, cascade_next, prepare_kinetics, cascade_field, accepts_share, true, Maps::off);
+inline constexpr Solver pictured DAPPLE_ROM = kinetics_of(pictured_reach, pictured_next, prepare_pictured,
+                                                          kinetics_field, accepts_picture, false, Maps::unknown);
 
 }  // namespace dapple::evolve

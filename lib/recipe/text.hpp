@@ -62,7 +62,6 @@ constexpr bool model_key(Reader& r, Word key, Word value, bool& found) {
   return true;
 }
 
-
 DAPPLE_APART constexpr int32_t times(int32_t value, int32_t now, int32_t was) {
   return static_cast<int32_t>(base::divide_round(static_cast<int64_t>(value) * now, was));
 }

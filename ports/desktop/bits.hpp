@@ -80,13 +80,7 @@ static void field_of(const grid::Rows& rows, const Job<Wide>& job) {
 static void field_wide(const grid::Rows& rows) { field_of(rows, job_of<Wide>(rows, true)); }
 inline void field_stored_wide(const grid::Rows& rows) { field_of(rows, stored_job<Wide>(rows, true)); }
 
-static void lean_of(const grid::Rows& rows, const Job<Wide>& job) {
-  for (size_t at = 0; at < (rows.n + 7u) / 8; at += sizeof(Wide)) {
-    Wide most[kSumBits] = {};
-    store_cells(static_cast<uint8_t*>(rows.out[0]), at, rows.n, one_word<false>(rows, job, at, most));
-  }
-}
-inline void lean_wide(const grid::Rows& rows) { lean_of(rows, job_of<Wide>(rows, false)); }
-inline void stored_wide(const grid::Rows& rows) { lean_of(rows, stored_job<Wide>(rows, false)); }
+inline void lean_wide(const grid::Rows& rows) { lean_row<false>(rows, job_of<Wide>(rows, false)); }
+inline void stored_wide(const grid::Rows& rows) { lean_row<false>(rows, stored_job<Wide>(rows, false)); }
 
 }  // namespace dapple::stencil

@@ -189,12 +189,13 @@ static bool same_steps(const std::vector<evolve::Sweep>& sweeps, const evolve::S
 uint32_t Driver::many_at_once(evolve::Run& run) {
   const evolve::Field& field = run.field;
   const size_t bytes = field.row_bytes * field.height;
-  const uint8_t planes = sweeps_.front().count;
+  const uint8_t first = sweeps_.front().first, planes = sweeps_.front().count;
+  const auto plane = [&](uint8_t i) { return evolve::row_of(field, static_cast<uint8_t>(first + i), 0); };
   before_.resize(bytes * planes);
-  for (uint8_t i = 0; i < planes; ++i) std::memcpy(&before_[i * bytes], evolve::row_of(field, i, 0), bytes);
+  for (uint8_t i = 0; i < planes; ++i) std::memcpy(&before_[i * bytes], plane(i), bytes);
   fused_[0].run(field, {sweeps_.data(), sweeps_.size(), field.cell == grid::Cell::bit, false, run.table, field.scratch});
   for (uint8_t i = 0; i < planes; ++i)
-    if (std::memcmp(&before_[i * bytes], evolve::row_of(field, i, 0), bytes) != 0) return 0;
+    if (std::memcmp(&before_[i * bytes], plane(i), bytes) != 0) return 0;
   return same_steps(sweeps_, sweeps_.front()) ? static_cast<uint32_t>(sweeps_.size()) : 0;
 }
 

@@ -6,7 +6,8 @@
 //   growers.grow();
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "../../lib/chunks.hpp"
 #include "driver.hpp"

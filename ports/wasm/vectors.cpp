@@ -54,7 +54,7 @@
 
 namespace dapple::stencil {
 void convolve_row(const grid::Rows& rows) { convolve_wide(rows); }
-void convolve_lean(const grid::Rows& rows) { lean_row<false>(rows, job_of<Wide>(rows, false)); }
+void convolve_lean(const grid::Rows& rows) { lean_wide(rows); }
 void field_row(const grid::Rows& rows) { field_wide(rows); }
 void steer_row(const grid::Rows& rows) { steer_wide(rows); }
 void steer_field(const grid::Rows& rows) { steer_field_wide(rows); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "../goldens.hpp"
 #include "driver.hpp"
-#include "tables.hpp"
+#include "each_table.hpp"
 
 namespace desktop = dapple::desktop;
 
@@ -92,14 +92,13 @@ TEST_CASE("driver: many steps at once by every table, budgets of some steps") {
       CAPTURE(size.width);
       const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
       REQUIRE(want != 0);
-      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
-        if (!desktop::table_at(i).runs()) continue;
+      tests::each_table([&](const desktop::Table& table) {
         dapple::Options options;
-        options.kernels = desktop::table_at(i).kernels;
+        options.kernels = table.kernels;
         options.driver = &driver;
         for (const uint32_t budget : {UINT32_MAX, 1000u, 50u})
           CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
-      }
+      });
     }
   }
 }
@@ -154,13 +153,14 @@ TEST_CASE("driver: masks along every direction, on tori and windows of any size,
       const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
       REQUIRE(want != 0);
       dapple::Options options;
-      for (uint8_t i = 1; i < desktop::table_count(); ++i) {
-        if (!desktop::table_at(i).runs()) continue;
-        options.kernels = desktop::table_at(i).kernels;
-        options.driver = &one;
-        for (const uint32_t budget : {UINT32_MAX, 700u, 150u})
-          CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
-      }
+      tests::each_table(
+          [&](const desktop::Table& table) {
+            options.kernels = table.kernels;
+            options.driver = &one;
+            for (const uint32_t budget : {UINT32_MAX, 700u, 150u})
+              CHECK(tests::field_hash_of(recipe, domain, kSeed, options, budget) == want);
+          },
+          1);
       for (desktop::Driver& driver : several) {
         options.driver = &driver;
         CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);

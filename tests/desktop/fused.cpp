@@ -7,7 +7,7 @@
 
 #include "../../lib/base/hash.hpp"
 #include "../../lib/stencil/lattice.hpp"
-#include "tables.hpp"
+#include "each_table.hpp"
 
 namespace desktop = dapple::desktop;
 namespace evolve = dapple::evolve;
@@ -97,9 +97,8 @@ TEST_CASE("fused: passes along any directions are those of the definition, by ev
                                uint16_t{515}, uint16_t{2100}})
     for (const uint16_t height : {uint16_t{12}, uint16_t{37}, uint16_t{90}})
       for (const size_t count : {size_t{1}, size_t{2}, size_t{9}, size_t{40}})
-        for (uint8_t t = 0; t < desktop::table_count(); ++t) {
-          if (!desktop::table_at(t).runs()) continue;
-          const grid::RowKernel row = grid::choose(desktop::table_at(t).kernels, stencil::pass_row);
+        tests::each_table([&](const desktop::Table& table) {
+          const grid::RowKernel row = grid::choose(table.kernels, stencil::pass_row);
           std::vector<evolve::Sweep> sweeps;
           Plane plane = noise(width, height), want = plane;
           for (size_t i = 0; i < count; ++i) {
@@ -111,5 +110,5 @@ TEST_CASE("fused: passes along any directions are those of the definition, by ev
           CAPTURE(height);
           CAPTURE(count);
           CHECK(different(plane, want) == 0);
-        }
+        });
 }

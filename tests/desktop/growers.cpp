@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "../grow.hpp"
+#include "each_table.hpp"
 #include "growers.hpp"
 #include "ready.hpp"
-#include "tables.hpp"
 
 namespace desktop = dapple::desktop;
 
@@ -113,17 +113,16 @@ TEST_CASE("ready: masks made once, the same bytes by every table, with a driver 
     for (const dapple::Domain& domain : {dapple::window(-1000, 77, 100, 60), dapple::torus(164, 132)}) {
       const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
       REQUIRE(want != 0);
-      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
-        if (!desktop::table_at(i).runs()) continue;
+      tests::each_table([&](const desktop::Table& table) {
         dapple::Options options;
-        options.kernels = desktop::table_at(i).kernels;
+        options.kernels = table.kernels;
         for (const uint32_t budget : {UINT32_MAX, 45u}) {
           options.driver = nullptr;
           CHECK(tests::field_hash_of(ready.recipe(), domain, kSeed, options, budget) == want);
           options.driver = &driver;
           CHECK(tests::field_hash_of(ready.recipe(), domain, kSeed, options, budget) == want);
         }
-      }
+      });
     }
   }
 }

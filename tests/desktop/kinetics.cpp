@@ -5,7 +5,7 @@
 
 #include "../grow.hpp"
 #include "driver.hpp"
-#include "tables.hpp"
+#include "each_table.hpp"
 
 namespace desktop = dapple::desktop;
 
@@ -69,10 +69,7 @@ TEST_CASE("desktop kinetics: tori of odd sizes and windows, bands, budgets, driv
       CAPTURE(domain.width);
       const uint64_t want = tests::field_hash_of(recipe, domain, kSeed);
       REQUIRE(want != 0);
-      for (uint8_t i = 0; i < desktop::table_count(); ++i) {
-        const desktop::Table& table = desktop::table_at(i);
-        if (!table.runs()) continue;
-        CAPTURE(std::string(table.name));
+      tests::each_table([&](const desktop::Table& table) {
         CHECK(hash_by(table, recipe, domain, nullptr, 1, UINT32_MAX) == want);
         CHECK(hash_by(table, recipe, domain, nullptr, 3, 17) == want);
         for (const uint32_t budget : {UINT32_MAX, 200u, 30u})
@@ -80,7 +77,7 @@ TEST_CASE("desktop kinetics: tori of odd sizes and windows, bands, budgets, driv
         CHECK(hash_by(table, recipe, domain, &two, 2, UINT32_MAX) == want);
         CHECK(hash_by(table, recipe, domain, &three, 3, 1000) == want);
         CHECK(hash_by(table, recipe, domain, &eight, 8, UINT32_MAX) == want);
-      }
+      });
     }
   }
 }

@@ -2,8 +2,8 @@
 // every width, tori and windows whose width is no multiple of anything.
 // SPDX-License-Identifier: MIT
 #include "../goldens.hpp"
+#include "each_table.hpp"
 #include "rows.hpp"
-#include "tables.hpp"
 
 namespace desktop = dapple::desktop;
 
@@ -12,12 +12,7 @@ namespace {
 // Calls back for every table but the portable one.
 template <class Work>
 void each_table(const Work& work) {
-  for (uint8_t i = 1; i < desktop::table_count(); ++i) {
-    const desktop::Table& table = desktop::table_at(i);
-    INFO("table " << std::string(table.name));
-    if (table.runs()) work(table);
-    else MESSAGE("this processor cannot run " << std::string(table.name));
-  }
+  tests::each_table(work, 1);
 }
 
 #ifdef __x86_64__

@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "bench_work.hpp"
+#include "chunks.hpp"
 #include "commands.hpp"
 #include "errors.hpp"
-#include "chunks.hpp"
 #include "output.hpp"
 #include "tile.hpp"
 
@@ -232,7 +232,9 @@ void bench(const Options& options) {
   const bool all = options.wanted.empty();
   const auto is_preset = [](const std::string& word) { return dapple::find_preset(word.c_str()) != nullptr; };
   const bool presets = all ? options.markdown : std::any_of(options.wanted.begin(), options.wanted.end(), is_preset);
-  if (wanted.empty() && !presets && options.wanted[0] != "chunks") refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
+  const bool chunks = all || std::count(options.wanted.begin(), options.wanted.end(), "chunks") > 0;
+  if (wanted.empty() && !presets && !chunks)
+    refuse("nothing to measure has " + shown(options.wanted[0]) + " in its name");
   if (!options.json) print_limits(tables, limits_of_all(tables), options.markdown);
   if (!wanted.empty() && !options.json) print_head(options.markdown);
   std::vector<Row> rows;
@@ -242,7 +244,7 @@ void bench(const Options& options) {
       rows.push_back(row);
     }
   if (options.json) print_json(rows);
-  else if (all || options.wanted[0] == "chunks") print_chunks();
+  else if (chunks) print_chunks();
   if (!options.json && presets) print_presets(options, all);
   finish_standard_output();
 }

@@ -82,6 +82,7 @@ class World {
     const uint32_t halo = dapple::need_for(recipe_, dapple::window(0, 0, kSides[0], kSides[0])).halo;
     for (const uint16_t side : kSides)
       if (side_ < halo) side_ = side;
+    in_blocks_ = dapple::need_for(recipe_, dapple::window(0, 0, side_, side_)).block != 0;
   }
 
   // Before the first look, and when the view has another size. What there is goes when it is too little.
@@ -103,8 +104,7 @@ class World {
   // A slice of what is missing in sight: a chunk a thread, but on one thread, where windows are in blocks and take long,
   // rows of one. False: nothing is missing.
   bool grow_some() {
-    const bool long_ones = dapple::need_for(recipe_, dapple::window(0, 0, side_, side_)).block != 0;
-    return threads_ == 1 && long_ones ? chunks_.step(kSlice) == dapple::more : grow_(threads_) > 0;
+    return threads_ == 1 && in_blocks_ ? chunks_.step(kSlice) == dapple::more : grow_(threads_) > 0;
   }
   // All of it.
   void grow_all() {
@@ -154,6 +154,7 @@ class World {
   uint32_t seed_;
   uint8_t threads_;
   uint16_t side_ = kSides[0];
+  bool in_blocks_ = false;
   View view_{};
   Place place_{};
   dapple::Brush brush_;
