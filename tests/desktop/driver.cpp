@@ -130,6 +130,20 @@ TEST_CASE("driver: steps after one that changes nothing are left out, with the s
   }
 }
 
+// What moves last is a few cells, now and then of those behind the last whole byte of a row alone.
+TEST_CASE("driver: a cell that changes is seen wherever it is") {
+  const dapple::Recipe recipe = tests::recipe_of("bits level=0 steps=90");
+  const dapple::Domain domain = dapple::torus(70, 64);
+  for (uint32_t seed = 0; seed < 100; ++seed) {
+    desktop::Driver driver(1);
+    dapple::Options options;
+    options.kernels = desktop::best_table().kernels;
+    options.driver = &driver;
+    CAPTURE(seed);
+    CHECK(tests::field_hash_of(recipe, domain, seed, options) == tests::field_hash_of(recipe, domain, seed));
+  }
+}
+
 TEST_CASE("driver: masks along every direction, on tori and windows of any size, by every table, threads and budgets") {
   const char* const recipes[] = {"bits level=0 angle=90 steps=6 rho=0:0.1@0..0.5",
                                  "bits level=0 angle=2 steps=5",
