@@ -43,7 +43,8 @@ TEST_CASE("along a map: spots point where the map does") {
   constexpr int kSide = 256, kSquare = 32;
   struct Case {
     const char* text;
-    double (*angle)(double u, double v);  // degrees; 0: not a square to look at
+    double (*angle)(double u, double v);  // degrees
+    double beside;                        // angle=
   };
   const auto radial = [](double u, double v) {
     return std::atan2(std::sin(2 * M_PI * (v - 0.5)), std::sin(2 * M_PI * (u - 0.5))) * 180 / M_PI;
@@ -57,15 +58,15 @@ TEST_CASE("along a map: spots point where the map does") {
     return std::atan2(s, c) * 90 / M_PI;
   };
   const Case cases[] = {
-      {"turing scale=12 decay=12.25 aspect=2 steps=2600 map=radial detail=0.1", radial},
-      {"turing scale=12 decay=12.25 aspect=2 steps=2600 map=radial detail=0.1 angle=90", radial},
-      {"turing scale=12 decay=12.25 aspect=2.4 steps=3000 map=haunch", haunch},
-      {"fitzhugh-nagumo stretch=2 steps=1500 map=haunch", haunch},
-      {"schnakenberg stretch=2 steps=3000 map=radial detail=0.1", radial},
+      {"turing scale=12 decay=12.25 aspect=2 steps=2600 map=radial detail=0.1", radial, 0},
+      {"turing scale=12 decay=12.25 aspect=2 steps=2600 map=radial detail=0.1 angle=90", radial, 90},
+      {"turing scale=12 decay=12.25 aspect=2 steps=2600 map=radial detail=0.1 angle=30", radial, 30},
+      {"turing scale=12 decay=12.25 aspect=2.4 steps=3000 map=haunch", haunch, 0},
+      {"fitzhugh-nagumo stretch=2 steps=1500 map=haunch", haunch, 0},
+      {"schnakenberg stretch=2 steps=3000 map=radial detail=0.1", radial, 0},
   };
   for (const Case& c : cases) {
     const std::vector<int16_t> f = field_of(c.text, dapple::torus(kSide, kSide));
-    const double beside = std::string(c.text).find("angle=90") == std::string::npos ? 0 : 90;
     double off = 0, worst = 0;
     int squares = 0;
     for (int y = 0; y < kSide; y += kSquare / 2)
@@ -78,7 +79,7 @@ TEST_CASE("along a map: spots point where the map does") {
           }
         if (std::hypot(cc, ss) < 0.85) continue;  // it turns too much to be one direction
         const Lean lean = lean_of(f, kSide, x, y, kSquare);
-        const double d = std::fabs(std::remainder(lean.degrees - beside - std::atan2(ss, cc) * 90 / M_PI, 180));
+        const double d = std::fabs(std::remainder(lean.degrees - c.beside - std::atan2(ss, cc) * 90 / M_PI, 180));
         off += d, ++squares;
         worst = std::max(worst, d);
       }
