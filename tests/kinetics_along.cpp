@@ -246,8 +246,6 @@ TEST_CASE("along a map: recipes with one, and what is refused") {
   CHECK(refusal("turing map=swirl detail=0").status == dapple::out_of_range);
   CHECK(refusal("turing map=swirl detail=1.1").status == dapple::out_of_range);
   CHECK(refusal("gray-scott map=swirl").status == dapple::unknown_word);
-  CHECK(refusal("turing solver=pictured map=swirl").status == dapple::not_possible);
-  CHECK(std::string(refusal("turing solver=pictured map=swirl").allowed) == "map");
   // A line says the same again; taking the map away gives the plain solver back.
   const char* const text = "turing map=swirl detail=0.4 aspect=2 steps=30 then freeze map=none steps=9";
   char line[dapple::recipe::kMaxText];

@@ -26,7 +26,7 @@ enum Status : int8_t {
   bad_bands = -16,      // 0, or more than 64
   too_far = -17,        // a window beyond 2^30 cells from the origin
   halo_too_wide = -18,  // a window whose recipe runs too long for the plane: use a torus
-  bad_map = -19,        // map=image, solver=styled or solver=pictured without an image, or with one of a wrong size
+  bad_map = -19,        // map=image, solver=styled, solver=pictured or grade=image without an image, or with one of a wrong size
   no_corners = -20,     // corner tiles of a recipe that cannot be shared: one-bit cells (use the plane), a map, no steps
   bad_sides = -21,      // sides of patches that do not pair up, or for cells or a solver that know none
   bad_surface = -22,    // solver=surface without a surface, or with one that is not measured, too fine, or of another size

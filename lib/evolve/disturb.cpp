@@ -1,6 +1,7 @@
 // What a caller may do to a run between two steps. The planes and numbers are those of the grid as it is, so the same
 // calls after the same steps give the same bits, however the steps were sliced.
 // SPDX-License-Identifier: MIT
+#include "along.hpp"
 #include "run.hpp"
 
 namespace dapple::evolve {
@@ -53,7 +54,8 @@ Status change(Run& run, uint8_t slot, int32_t value) {
   const auto accepts = run.solver.accepts;
   const bool fits = run.model.in_range(stage.number) && as_large(before, reach());
   const bool good = fits && (accepts == nullptr || accepts(stage.number, stage.stored, run.domain) == ok);
-  Status status = good ? ok : out_of_range;
+  const bool laid = run.step > 0 && is_laid(run.solver, stage.number, slot);
+  Status status = !good ? out_of_range : laid ? not_now : ok;
   if (status == ok) {
     const Bound bound = run.model.bound(stage.number, stage.level);
     if (!within(stage.number[bound.slot], bound.low, bound.high)) status = unstable;

@@ -62,11 +62,13 @@ void kinetics_row(const grid::Rows& rows) {
   const size_t row_bytes = grid::row_bytes(grid::Cell::int32, rows.n);
   const uint8_t planes = kept_at(rows);
   const int32_t unit = INT32_C(1) << rows.table[cut_bits];
+  const void* const shares = rows.in[3 * (rows.planes - 1) + 1];
   grid::Rows stencil = rows, react = rows;
   for (uint8_t plane = 0; plane < planes; ++plane) {
     for (uint8_t k = 0; k < 3; ++k) stencil.in[k] = rows.in[3 * plane + k];
     stencil.out[0] = rows.scratch + plane * row_bytes;
     rows.part[0](stencil);
+    if (rows.table[graded] != 0) stencil::share_sums(grid::out32(stencil, 0), shares, rows.table[wide_cells] != 0, rows.n);
     react.in[plane] = stencil.out[0];
     if (unit > 1) scale(grid::out32(stencil, 0), rows.n, unit);
   }

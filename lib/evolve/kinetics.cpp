@@ -44,6 +44,7 @@ void prepare_kinetics(const Context& context) {
   table[has_rates] = table[varies] > 0;
   table[level_of] = context.level;
   table[cut_bits] = kinetics::cut_of(*context.model);
+  table[linked] = table[graded] = 0;
   table[moved] = 0;
 }
 
@@ -97,7 +98,7 @@ void enter_row(const grid::Rows& rows) {
 
 // The first sweep of a stage that grows by a picture: what growth has more than the recipe's number. p: {where the
 // picture is black, how much more where it is white}, Q12, |.| <= 28 * 2^12; grey in Q6 <= 16320: products < 2^31.
-static void picture_row(const grid::Rows& rows) {
+void picture_row(const grid::Rows& rows) {
   const int32_t* t = rows.table;
   const bool plane = t[on_plane] != 0;
   const uint16_t period = static_cast<uint16_t>(stencil::kPlanePeriod >> t[level_of]);
@@ -163,21 +164,25 @@ bool kinetics_next(const Context& context, Cursor& cursor, Sweep& sweep) {
   return at <= (enters ? 1 : 0);
 }
 
-bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+void picture_sweep(const Context& context, Sweep& sweep) {
   const int32_t* number = context.number;
-  const uint16_t at = cursor.sweep++;
-  if (context.first && at == 0) {
-    all_planes(context, false, sweep);
-    sweep.count = static_cast<uint8_t>(context.model->planes(number) + 1);
-    sweep.radius = 0;
-    sweep.row = picture_row;
-    sweep.p[0] = kinetics::fixed(number[turing::dark] - number[turing::growth], kinetics::kVaryBits);
-    sweep.p[1] = kinetics::fixed(number[turing::lit] - number[turing::dark], kinetics::kVaryBits);
-    return true;
-  }
-  step_sweep(context, false, kinetics_row, sweep);
+  sweep.first = 0;
   sweep.count = static_cast<uint8_t>(context.model->planes(number) + 1);
+  sweep.radius = 0;
+  sweep.row = picture_row;
+  sweep.p[0] = kinetics::fixed(number[turing::dark] - number[turing::growth], kinetics::kVaryBits);
+  sweep.p[1] = kinetics::fixed(number[turing::lit] - number[turing::dark], kinetics::kVaryBits);
+}
+void pictured_sweep(const Context& context, grid::RowKernel row, Sweep& sweep) {
+  step_sweep(context, false, row, sweep);
+  sweep.count = static_cast<uint8_t>(context.model->planes(context.number) + 1);
   sweep.p[turing::kGrown] = 1;
+}
+
+bool pictured_next(const Context& context, Cursor& cursor, Sweep& sweep) {
+  const uint16_t at = cursor.sweep++;
+  if (context.first && at == 0) picture_sweep(context, sweep);
+  else pictured_sweep(context, kinetics_row, sweep);
   return at <= (context.first ? 1 : 0);
 }
 

@@ -28,6 +28,8 @@ enum KineticTable : uint8_t {
   has_rates,  // a plane of deviations is kept
   level_of,
   cut_bits,  // of compact cells; 0: the cells are computed as they are kept
+  linked,    // a plane of directions is kept, behind what is held
+  graded,    // and the last one, of the squares of the wavelengths' shares, Q9: finest (Q12) * 8 + kind, or 0
   moved,     // what the field has more than the shown morphogen, so that the share of cells asked for is on
   table_count
 };
@@ -72,18 +74,24 @@ constexpr Status accepts_share(const int32_t* number, const void*, const Domain&
 
 // A plane of growth behind the model's own; where the picture is follows the table.
 constexpr uint8_t kPictureWords = (sizeof(const GreyImage*) + 3) / 4;
-constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
+constexpr Reach reach_of_pictured(const Model& model, const int32_t* number) {
   Reach reach = reach_of_kinetics(model, number, false);
   reach.planes = static_cast<uint8_t>(model.planes(number) + 1);
   reach.kept = reach.once = 1;
   reach.table = static_cast<uint16_t>(table_count + kPictureWords);
   return reach;
 }
+constexpr Reach pictured_reach(const Model& model, const int32_t* number, uint8_t, const void*) {
+  return reach_of_pictured(model, number);
+}
+constexpr Status accepts_grey(const GreyImage& image) {
+  const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
+  return good ? ok : bad_map;
+}
 constexpr Status accepts_picture(const int32_t* number, const void* given, const Domain& domain) {
   if (given == nullptr) return bad_map;
-  const GreyImage& image = static_cast<const PlaceMaps*>(given)->grey;
-  const bool good = image.cells != nullptr && within(image.width, 1, kMostImage) && within(image.height, 1, kMostImage);
-  return good ? accepts_share(number, given, domain) : bad_map;
+  const Status status = accepts_grey(static_cast<const PlaceMaps*>(given)->grey);
+  return status == ok ? accepts_share(number, given, domain) : status;
 }
 
 inline uint8_t kept_at(const grid::Rows& rows) { return static_cast<uint8_t>(rows.table[morphogens]); }
@@ -106,24 +114,27 @@ void kinetics_field(const grid::Rows& rows);
 void cascade_field(const grid::Rows& rows);
 void look_at_share(const Run& run, int16_t* row, uint8_t* work);
 
-// The other parts of their sweeps, for solvers that do more (along.hpp): a first sweep's row; a cell of either width; both
-// sweeps.
+// The other parts of their sweeps, for solvers that do more (along.hpp): first sweeps' rows; a cell of either width; both
+// sweeps, of cells that may be held, and by a picture.
 void enter_row(const grid::Rows& rows);
+void picture_row(const grid::Rows& rows);
 void set_cell(const grid::Rows& rows, void* row, uint16_t x, int32_t value);
 void enter_sweep(const Context& context, bool has_mask, Sweep& sweep);
 void step_sweep(const Context& context, bool has_mask, grid::RowKernel row, Sweep& sweep);
+void picture_sweep(const Context& context, Sweep& sweep);
+void pictured_sweep(const Context& context, grid::RowKernel row, Sweep& sweep);
 
 // They share nothing between tiles, and look for a share of all cells.
 constexpr Solver kinetics_of(decltype(Solver::reach) reach, decltype(Solver::next) next,
                              decltype(Solver::prepare) prepare, grid::RowKernel field,
-                             decltype(Solver::accepts) accepts, bool freezes, Maps maps) {
-  return {reach, next, prepare, field, accepts, Sharing::none, 1, nullptr, freezes, maps, look_at_share};
+                             decltype(Solver::accepts) accepts, bool freezes, Maps maps, bool pictured = false) {
+  return {reach, next, prepare, field, accepts, Sharing::none, 1, nullptr, freezes, maps, pictured, look_at_share};
 }
 inline constexpr Solver kinetics_solver DAPPLE_ROM =
     kinetics_of(kinetics_reach, kinetics_next, prepare_kinetics, kinetics_field, accepts_share, false, Maps::off);
 inline constexpr Solver cascade_solver DAPPLE_ROM =
     kinetics_of(cascade_reach, cascade_next, prepare_kinetics, cascade_field, accepts_share, true, Maps::off);
 inline constexpr Solver pictured DAPPLE_ROM = kinetics_of(pictured_reach, pictured_next, prepare_pictured,
-                                                          kinetics_field, accepts_picture, false, Maps::unknown);
+                                                          kinetics_field, accepts_picture, false, Maps::off, true);
 
 }  // namespace dapple::evolve

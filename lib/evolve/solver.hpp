@@ -111,6 +111,7 @@ struct Solver {
   bool (*alike)(const int32_t* number) = nullptr;  // whether the numbers treat all tiles alike; null: they always do
   bool freezes = false;  // can begin a stage by freeze and reset
   Maps maps = Maps::unknown;
+  bool pictured = false;  // grows by a grey picture
   // Before rows of the field are made, whenever planes have moved: what they want to know of all cells, into the run's
   // table. row: room for one row of the domain.
   void (*look)(const Run& run, int16_t* row, uint8_t* work) = nullptr;

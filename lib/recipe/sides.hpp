@@ -5,18 +5,16 @@
 
 namespace dapple {
 
-constexpr bool follows_map(const Stage& stage) {
-  return stage.solver == &evolve::along_solver || stage.solver == &evolve::cascade_along_solver;
+constexpr bool takes_maps(const Stage& stage) {
+  return stage.model == &mapped_model || stage.solver->maps == evolve::Maps::on || stage.solver->pictured;
 }
 
-// Hands the directions of map=image, the styles of solver=styled, the measured surface of solver=surface and the picture
-// of solver=pictured to every stage of a recipe. begin looks at them, and answers bad_map or bad_surface where they are
+// Hands the directions of map=image, the styles of solver=styled, the measured surface of solver=surface and the pictures
+// of solver=pictured and grade=image to every stage of a recipe. begin looks at them, and answers bad_map or bad_surface where they are
 // wanted and missing, or of a wrong size.
 constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
   for (uint8_t i = 0; i < recipe.stages; ++i)
-    if (recipe.stage[i].model == &mapped_model || recipe.stage[i].solver == &evolve::pictured ||
-        follows_map(recipe.stage[i]))
-      recipe.stage[i].stored = &maps;
+    if (takes_maps(recipe.stage[i])) recipe.stage[i].stored = &maps;
 }
 
 // The same of a surface, for recipes of the threshold family too: threshold's tensors become those of map=none or

@@ -237,16 +237,24 @@ constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
   return false;
 }
 
-// Stages along a map have a solver of their own, and segments before the first of them a start.
-constexpr bool follow_map(Reader& r, Word all, Stage& stage) {
+// Stages that differ from place to place have a solver of their own, and segments before the first of them, along a map,
+// a start. The shortest waves are to have cells enough, too, on the grid that is painted.
+constexpr bool take_places(Reader& r, Word all, Stage& stage) {
   Start& start = r.recipe->start;
-  const bool map = stage.number[along::map] != mapped::none;
-  if (map && stage.solver->maps == evolve::Maps::unknown)
-    return fail(r, not_possible, all, 0, 0, false, along::numbers[0].name);
-  stage.solver = evolve::with_map(stage.solver, map);
+  const bool map = evolve::has_map(stage.number), grade = evolve::has_grade(stage.number);
+  stage.solver = evolve::with_places(stage.solver, map || grade);
   if (stage.entry == Entry::start && start.kind == Start::segments)
     start.row = map ? evolve::segments_along_row : start::segments_row;
-  return true;
+  if (!grade || stage.level > 0) return true;
+  Stage shortest = stage;
+  const int32_t share = stage.number[along::finest];
+  shortest.number[kinetics::scale] = times(stage.number[kinetics::scale], share, base::kMicro);
+  const Bound bound = stage.model->bound(shortest.number, 0);
+  if (bound.slot != kinetics::scale || within(shortest.number[kinetics::scale], bound.low, bound.high)) return true;
+  const int32_t least = static_cast<int32_t>((static_cast<int64_t>(bound.low) * base::kMicro + share - 1) / share);
+  fail(r, unstable, all, least, INT32_MAX, false, name_at(*r.family, kinetics::scale));
+  r.trouble.value = stage.number[kinetics::scale];
+  return false;
 }
 
 // Numbers that follow from others: the scale from a wavelength, seeds from the scale, the angles of the pairs.
@@ -263,7 +271,7 @@ constexpr bool settle(Reader& r, Word all) {
       else if (!tune(r, all, r.recipe->stage[i], static_cast<uint8_t>(scale), range)) return false;
     }
     if (!cover_spots(r, r.recipe->stage[i])) return false;
-    if (map_numbers(*r.family) > 0 && !follow_map(r, all, r.recipe->stage[i])) return false;
+    if (map_numbers(*r.family) > 0 && !take_places(r, all, r.recipe->stage[i])) return false;
     if (!living(r, all, number) || !bounded(r, all, r.recipe->stage[i])) return false;
     if (angle < 0) continue;
     const int32_t pairs = number[0];
@@ -299,7 +307,7 @@ constexpr void defaults(Recipe& recipe, const Family& f) {
   stage.steps = f.steps;
   stage.level = f.level;
   uint8_t slot = 0;
-  if (map_numbers(f) > 0) stage.number[along::detail] = mapped::kDetailStandard;
+  for (uint8_t i = 0; i < map_numbers(f); ++i) stage.number[along::map + i] = along::numbers[i].standard;
   for (uint8_t i = 0; i < f.number_count; ++i) {
     const Number& n = f.numbers[i];
     stage.number[slot] = n.standard;

@@ -48,6 +48,17 @@ static void eight_of(const grid::Rows& rows) {
 void eight_wide_row(const grid::Rows& rows) { eight_of<int32_t, 6>(rows); }
 void eight_narrow_row(const grid::Rows& rows) { eight_of<int16_t, 0>(rows); }
 
+template <class T, uint8_t cut>
+static void shared(int32_t* DAPPLE_RESTRICT sums, const T* DAPPLE_RESTRICT shares, uint16_t n) {
+  constexpr uint8_t shift = 9 - cut;
+  for (uint16_t x = 0; x < n; ++x)
+    sums[x] = (((sums[x] + ((1 << cut) >> 1)) >> cut) * shares[x] + (1 << (shift - 1))) >> shift;
+}
+void share_sums(int32_t* sums, const void* shares, bool wide, uint16_t n) {
+  if (wide) shared<int32_t, 6>(sums, static_cast<const int32_t*>(shares), n);
+  else shared<int16_t, 0>(sums, static_cast<const int16_t*>(shares), n);
+}
+
 // --- Along a map ---
 
 static int16_t* slot(uint8_t* links, uint8_t row, uint16_t n) {

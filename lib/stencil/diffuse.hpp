@@ -17,6 +17,10 @@ void five_narrow_row(const grid::Rows& rows);
 void eight_wide_row(const grid::Rows& rows);
 void eight_narrow_row(const grid::Rows& rows);
 
+// Sums of places where diffusion is a share of the recipe's, Q9, at most 1: the product, rounded. int32 shares with sums of
+// int32 cells: rounded to Q14 first, 160 * 2^14 * 2^9 < 2^31; int16 with those of int16 cells: < 2^27.
+void share_sums(int32_t* sums, const void* shares, bool wide, uint16_t n);
+
 // The weights of D = R diag(1, 1 / stretch^2) R^T, R a turn by the angle (x right, y down): Dxx - |Dxy|, Dyy - |Dxy|,
 // and |Dxy| for the diagonal it runs along. None is negative while stretch^2 <= (1 + sqrt 2)^2; what rounding leaves
 // below 0 is held there.

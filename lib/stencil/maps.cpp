@@ -281,6 +281,31 @@ void style_row(const DirectionMap& m, int32_t y, uint16_t n, int16_t* lack, int1
   }
 }
 
+// Grades are in Q15, 0..32767; a cosine of 32767 makes the wavelength the recipe's.
+static int32_t grade_of(const DirectionMap& m, Grade::Kind kind, uint16_t at_x, uint16_t at_y) {
+  const auto wave = [](uint16_t at, uint16_t size) {
+    return (32768 + static_cast<int32_t>(base::cosine(static_cast<uint16_t>(centre(at, size, 32768u))))) >> 1;
+  };
+  if (kind == Grade::across) return wave(at_x, m.width);
+  if (kind == Grade::down) return wave(at_y, m.height);
+  if (kind == Grade::centre) return (wave(at_x, m.width) + wave(at_y, m.height)) >> 1;
+  const GreyImage& grey = images_of(m).lengths;
+  const auto place = [](uint16_t at, uint16_t size, uint16_t cells) {
+    return static_cast<int32_t>(centre(at, size, static_cast<uint16_t>(128u * cells))) - 128;
+  };
+  const Bytes image = {grey.cells, grey.width, grey.height, 1};
+  return (between(image, place(at_x, m.width, grey.width), place(at_y, m.height, grey.height), 0) * 257) >> 9;
+}
+
+void grade_row(const DirectionMap& m, Grade grade, int32_t y, uint16_t n, int16_t* out) {
+  for (int32_t x = 0; x < n; ++x) {
+    const grid::Source s = source_on(m, x, folded(y, m.rows));
+    const int32_t part = grade_of(m, grade.kind, static_cast<uint16_t>(s.x), static_cast<uint16_t>(s.y));
+    const int32_t share = grade.finest + (((4096 - grade.finest) * part + 16384) >> 15);  // Q12
+    out[x] = static_cast<int16_t>((share * share + 16384) >> 15);
+  }
+}
+
 void grey_row(const GreyImage& grey, int32_t x, int32_t y, uint16_t width, uint16_t height, uint16_t n, int32_t* out) {
   const Bytes image = {grey.cells, grey.width, grey.height, 1};
   const uint16_t row = static_cast<uint16_t>(folded(y, height));

@@ -43,12 +43,13 @@ struct GreyImage {
 };
 
 // What a stage finds in Stage::stored. Of the mapped family: directions for map=image, styles for solver=styled, a measured
-// surface for solver=surface. Of kinetics: directions, and the picture of solver=pictured.
+// surface for solver=surface. Of kinetics: directions, the picture of solver=pictured, and that of grade=image.
 struct PlaceMaps {
   DirectionImage direction;
   StyleImage style;
   const Surface* surface = nullptr;
   GreyImage grey = {nullptr, 0, 0};
+  GreyImage lengths = {nullptr, 0, 0};
 };
 
 }  // namespace dapple
@@ -123,6 +124,17 @@ void inverse_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* const*
 // 64); rho's steps from -128 in the high byte, k's share in the low one.
 constexpr uint8_t kStyleRows = 2;
 void style_row(const DirectionMap& map, int32_t y, uint16_t n, int16_t* lack, int16_t* rho_k);
+
+// What wavelengths are from place to place: `finest` of the recipe's (Q12, 1024..4096) where the grade is 0, the recipe's
+// where it is 1, and between them in proportion.
+//   across  (1 + cos 2 pi u) / 2      down  (1 + cos 2 pi v) / 2      centre  the mean of both
+//   image   the picture `lengths`, black 0, white 1
+struct Grade {
+  enum Kind : uint8_t { across, down, centre, image } kind;
+  int32_t finest;
+};
+// Row y of n squares of shares, Q9: 32..512.
+void grade_row(const DirectionMap& map, Grade grade, int32_t y, uint16_t n, int16_t* out);
 
 // What maps do with a picture of directions and nowhere else: a row of it, its world row folded.
 struct ImageWork {

@@ -130,7 +130,7 @@ static void explain(Sentence& s, const Need& need) {
     case unstable:
       return put(s, "a number makes the steps diverge, or is too small for the stage's grid");
     case bad_map:
-      return put(s, "map=image, solver=styled and solver=pictured need images, 1 to 256 cells a side");
+      return put(s, "map=image, solver=styled, solver=pictured and grade=image need images, 1 to 256 cells a side");
     case bad_sides:
       return put(s, "a recipe with sides needs a patch, which is for C++");
     case bad_surface:

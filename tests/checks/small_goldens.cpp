@@ -133,7 +133,7 @@ bool print(const std::string& name, const dapple::Recipe& recipe, const dapple::
 constexpr int8_t kPairs[] = {127, 0, 0, 127, -127, 0, 90, 90, -20, 10, 0, -127};
 constexpr uint8_t kStyles[] = {255, 128, 255, 200, 140, 255, 90, 120, 128, 255, 0, 0, 64, 255, 255, 160, 128, 10};
 constexpr uint8_t kGreys[] = {0, 255, 90, 33, 180, 128};
-constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}, nullptr, {kGreys, 3, 2}};
+constexpr dapple::PlaceMaps kImages = {{kPairs, 3, 2}, {kStyles, 3, 2}, nullptr, {kGreys, 3, 2}, {kGreys, 3, 2}};
 
 // The smallest torus, a window where the halo is not too wide, and both coarse to fine by the explicit solver where there
 // is one. Returns how many were wrong.

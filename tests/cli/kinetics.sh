@@ -96,8 +96,32 @@ test_map() {
   refused 2 "'swril' is not one of none|radial" -- grow turing map=swril
   refused 2 "'2' is out of range, 0.01 to 1" -- grow turing map=swirl detail=2
   refused 2 "map=@FILE" -- grow turing map=image
-  refused 2 "exclude each other" -- grow turing solver=pictured map=swirl
   refused 2 "'map' is not a key of gray-scott" -- grow gray-scott map=swirl
+}
+
+# Wavelengths from place to place, made or from a picture, with a map and with growth from a picture.
+test_grade() {
+  local small="--size 64 steps=30 scale=9"
+  printf 'P5\n2 1\n255\n\377\0' > "$folder/halves.pgm"
+  printf 'P5\n1 1\n255\n\377' > "$folder/white.pgm"
+  # shellcheck disable=SC2086
+  {
+    differ "grade=centre" "$(hash_of turing $small grade=centre)" "$(hash_of turing $small)"
+    differ "finest" "$(hash_of turing $small grade=centre finest=0.8)" "$(hash_of turing $small grade=centre)"
+    equal "grade=none" "$(hash_of turing $small grade=none finest=0.7)" "$(hash_of turing $small)"
+    equal "grade=@FILE: white" "$(hash_of turing $small grade=@"$folder/white.pgm")" "$(hash_of turing $small)"
+    differ "grade=@FILE" "$(hash_of turing $small grade=@"$folder/halves.pgm")" "$(hash_of turing $small)"
+    differ "grade=@FILE, growth=@FILE and map=" \
+      "$(hash_of turing $small grade=@"$folder/halves.pgm" growth=@"$folder/white.pgm" map=swirl aspect=2)" \
+      "$(hash_of turing $small grade=@"$folder/halves.pgm" growth=@"$folder/white.pgm" aspect=2)"
+    equal "grade: threads" "$(hash_of turing $small grade=down --threads 3)" "$(hash_of turing $small grade=down --budget 7)"
+  }
+  check "grade: bytes" grep -qF -e '"planes_bytes": 49152' <<< "$(run info turing grade=down --size 64 --json)"
+  refused 2 "'up' is not one of none|across" -- grow turing grade=up
+  refused 2 "'0.1' is out of range, 0.25 to 1" -- grow turing grade=down finest=0.1
+  refused 2 "grade=@FILE" -- grow turing grade=image
+  refused 2 "scale" "6" -- grow turing grade=down scale=4
+  refused 1 nothing.pgm -- grow turing grade=@nothing.pgm
 }
 
 # Half of the memory: what info says, and what it is not for.
@@ -128,7 +152,7 @@ test_freeze() {
   done
 }
 
-for part in picture frames dials map compact freeze; do
+for part in picture frames dials map grade compact freeze; do
   test_$part
 done
 echo "kinetics: $passed passed, $failed failed"

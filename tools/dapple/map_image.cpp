@@ -125,13 +125,15 @@ void read_styles(const std::string& path, PictureMaps& to) {
   to.maps.style = {to.styles.data(), size.first, size.second};
 }
 
-void read_grey(const std::string& path, PictureMaps& to) {
+static dapple::GreyImage read_grey(const std::string& path, std::vector<uint8_t>& greys) {
   const Pixmap picture = read_pixmap(path);
-  to.greys.clear();
+  greys.clear();
   const auto size = each_cell(picture, [&](uint32_t x0, uint32_t x1, uint32_t y0, uint32_t y1) {
-    to.greys.push_back(mean_of(x0, x1, y0, y1, [&](uint32_t x, uint32_t y) { return static_cast<uint32_t>(picture.grey(x, y)); }));
+    greys.push_back(mean_of(x0, x1, y0, y1, [&](uint32_t x, uint32_t y) { return static_cast<uint32_t>(picture.grey(x, y)); }));
   });
-  to.maps.grey = {to.greys.data(), size.first, size.second};
+  return {greys.data(), size.first, size.second};
 }
+void read_growth(const std::string& path, PictureMaps& to) { to.maps.grey = read_grey(path, to.greys); }
+void read_grade(const std::string& path, PictureMaps& to) { to.maps.lengths = read_grey(path, to.lengths); }
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// Directions, styles and growth from pictures, for map=@FILE, style=@FILE and growth=@FILE.
+// Directions, styles, growth and wavelengths from pictures, for map=@FILE, style=@FILE, growth=@FILE and grade=@FILE.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr const char* kMapAs = "structure|values";
 // The bytes that a recipe's stages point to.
 struct PictureMaps {
   std::vector<int8_t> pairs;
-  std::vector<uint8_t> styles, greys;
+  std::vector<uint8_t> styles, greys, lengths;
   dapple::PlaceMaps maps{};
 };
 
@@ -27,6 +27,7 @@ struct PictureMaps {
 // wavelengths.
 void read_map(const std::string& path, MapAs as, PictureMaps& to);
 void read_styles(const std::string& path, PictureMaps& to);
-void read_grey(const std::string& path, PictureMaps& to);
+void read_growth(const std::string& path, PictureMaps& to);
+void read_grade(const std::string& path, PictureMaps& to);
 
 }  // namespace cli

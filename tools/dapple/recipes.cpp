@@ -13,7 +13,7 @@ using dapple::Trouble;
 using dapple::recipe::Family;
 
 constexpr size_t kLongestRecipe = 4000;
-constexpr std::string_view kMapFile = "map=@", kStyleFile = "style=@", kGrowthFile = "growth=@";
+constexpr std::string_view kMapFile = "map=@", kStyleFile = "style=@", kGrowthFile = "growth=@", kGradeFile = "grade=@";
 
 // Changes that turn one name into the other: letters put in, left out or replaced.
 static size_t distance_of(const std::string& a, const std::string& b) {
@@ -81,8 +81,6 @@ static std::string outside(const std::string& text, const Trouble& trouble, cons
 
 // Which words exclude each other follows from the word that was met.
 static std::string impossible(const Trouble& trouble, const std::string& word) {
-  if (trouble.allowed != nullptr && trouble.allowed == dapple::along::numbers[0].name)
-    return "map= and solver=pictured (growth=@FILE) exclude each other";
   if (trouble.allowed != nullptr)
     return "wavelength=, spot_size= and coverage= follow from each other: two of them are enough";
   if (word.find("repeat") != std::string::npos)
@@ -168,7 +166,7 @@ static Subject subject_named(const std::string& name) {
   return subject;
 }
 
-// map=@FILE, style=@FILE and growth=@FILE: reads the picture, and puts what the recipe calls it in the word's place.
+// map=@FILE, style=@FILE, growth=@FILE and grade=@FILE: reads the picture, and puts what the recipe calls it in the word's place.
 static void read_picture(std::string& word, MapAs as, PictureMaps& maps) {
   if (word.compare(0, kMapFile.size(), kMapFile) == 0) {
     read_map(word.substr(kMapFile.size()), as, maps);
@@ -177,8 +175,11 @@ static void read_picture(std::string& word, MapAs as, PictureMaps& maps) {
     read_styles(word.substr(kStyleFile.size()), maps);
     word = "solver=styled";
   } else if (word.compare(0, kGrowthFile.size(), kGrowthFile) == 0) {
-    read_grey(word.substr(kGrowthFile.size()), maps);
+    read_growth(word.substr(kGrowthFile.size()), maps);
     word = "solver=pictured";
+  } else if (word.compare(0, kGradeFile.size(), kGradeFile) == 0) {
+    read_grade(word.substr(kGradeFile.size()), maps);
+    word = "grade=image";
   }
 }
 
@@ -189,7 +190,8 @@ Subject subject_of(const Options& options) {
   for (std::string& word : changes) read_picture(word, options.map_as, *maps);
   if (!changes.empty()) change_all(subject.recipe, changes);
   const dapple::PlaceMaps& read = maps->maps;
-  if (read.direction.pairs != nullptr || read.style.cells != nullptr || read.grey.cells != nullptr) {
+  if (read.direction.pairs != nullptr || read.style.cells != nullptr || read.grey.cells != nullptr ||
+      read.lengths.cells != nullptr) {
     dapple::set_maps(subject.recipe, maps->maps);
     subject.maps = maps;
   }
@@ -259,8 +261,8 @@ dapple::Need need_of(const Subject& subject, dapple::Domain domain, uint8_t band
     case dapple::bad_surface:
       refuse("solver=surface takes a surface: dapple surface SHAPE " + subject.name);
     case dapple::bad_map:
-      refuse("map=image, solver=styled (of at most three pairs) and solver=pictured take pictures: give map=@FILE, style=@FILE "
-             "or growth=@FILE, PGM, PPM or PNG files");
+      refuse("map=image, solver=styled (of at most three pairs), solver=pictured and grade=image take pictures: give "
+             "map=@FILE, style=@FILE, growth=@FILE or grade=@FILE, PGM, PPM or PNG files");
     case dapple::unstable:
       refuse(unsteady(dapple::recipe::name_at(family_of(subject.recipe), need.bound.slot),
                       subject.recipe.stage[need.stage].number[need.bound.slot], need.bound.low, need.bound.high));
