@@ -120,6 +120,17 @@ TEST_CASE("atlas: a patch that repeats, and four that close round a torus, are t
   }
 }
 
+TEST_CASE("atlas: a patch that repeats has the places of its torus") {
+  const Sheet one(1, 1, 64, 48, false, false);
+  for (const char* text : {"turing map=two-angle aspect=2 scale=9 steps=20", "turing map=radial grade=centre scale=9 steps=20",
+                           "schnakenberg grade=down finest=0.7 stretch=1.5 steps=20"}) {
+    const dapple::Recipe recipe = tests::recipe_of(text);
+    INFO(text);
+    REQUIRE(recipe.stages > 0);
+    CHECK(Grown(recipe, on_patch(one.all, 0), 5).field() == Grown(recipe, dapple::torus(64, 48), 5).field());
+  }
+}
+
 TEST_CASE("atlas: patches side by side are one closed patch bit for bit, on a surface too") {
   std::vector<int16_t> heights;
   for (int y = 0; y < 64; ++y)
@@ -138,11 +149,14 @@ TEST_CASE("atlas: patches side by side are one closed patch bit for bit, on a su
   on_three.surface = &three;
   const int8_t falling[] = {0, 127};  // one direction, which mirrors turn
   on_large.direction = on_three.direction = {falling, 1, 1};
+  const uint8_t middling[] = {100};
+  on_large.lengths = on_three.lengths = {middling, 1, 1};
   const Sheet one(1, 1, 96, 64, true, true), row(3, 1, 32, 64, true, true), around(1, 1, 96, 64, true, false);
   std::vector<std::string> texts(std::begin(kRecipes), std::end(kRecipes));
   texts.push_back("mapped map=none stretch=2 angle=20 scale=1.6 steps=4 solver=surface");
   texts.push_back("mapped map=isotropic scale=1.3 steps=4 levels=2 fine=2 solver=surface");
   texts.push_back("turing map=image aspect=2 vary=0.1 steps=20");
+  texts.push_back("turing map=image grade=image scale=9 stretch=1.5 steps=20");
   texts.push_back("fitzhugh-nagumo map=image stretch=2 angle=10 level=1 steps=20 then refine steps=4");
   for (const std::string& text : texts) {
     dapple::Recipe recipe = tests::recipe_of(text.c_str()), split = recipe;

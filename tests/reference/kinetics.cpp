@@ -238,7 +238,7 @@ constexpr Case kCases[] = {
     {"meinhardt-spots map=scallop detail=0.5 stretch=1.7 scale=2.236 steps=3400", true},
     {"fitzhugh-nagumo map=two-angle stretch=2 steps=2000", false},
     {"turing grade=centre finest=0.5 scale=16 decay=12.25 steps=5000", true},
-    {"fitzhugh-nagumo grade=across finest=0.4 scale=1.4 stretch=2 map=haunch steps=3000", false},
+    {"fitzhugh-nagumo grade=across finest=0.4 scale=1.4 dt=0.06 stretch=2 map=haunch steps=2500", false},
 };
 
 }  // namespace
