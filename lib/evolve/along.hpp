@@ -70,11 +70,12 @@ inline constexpr Solver pictured_along DAPPLE_ROM =
                 accepts_pictured_along, false, Maps::on, true);
 
 // The solver that does the same from place to place, or everywhere; one that knows no places itself. Told by what solvers
-// say of themselves: for gcc's -fsanitize=undefined it is no constant whether two solvers are the same.
-constexpr const Solver* with_places(const Solver* solver, bool places) {
+// say of themselves: for gcc's -fsanitize=undefined it is no constant whether two solvers are the same. grown: both that
+// grow by a picture, if there are any: they come with the family.
+constexpr const Solver* with_places(const Solver* solver, bool places, const Solver* const* grown) {
   if (solver->maps == Maps::unknown) return solver;
+  if (solver->pictured) return grown[places ? 1 : 0];
   if (solver->freezes) return places ? &cascade_along_solver : &cascade_solver;
-  if (solver->pictured) return places ? &pictured_along : &pictured;
   return places ? &along_solver : &kinetics_solver;
 }
 

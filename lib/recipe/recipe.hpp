@@ -105,10 +105,12 @@ constexpr Family of_spots(Family family, Dials dials, const Model* compact) {
   family.compact = compact;
   return family;
 }
-// And one whose rate a picture can set.
+// And one whose rate a picture can set, with or without places.
+constexpr uint8_t kPictured = 2;
 constexpr Family with_picture(Family family) {
   family.solver_names = "plain|cascade|pictured";
-  family.solvers[2] = &evolve::pictured;
+  family.solvers[kPictured] = &evolve::pictured;
+  family.solvers[kPictured + 1] = &evolve::pictured_along;
   return family;
 }
 constexpr Start kNoise = {Start::noise, 32000000, 600000, 250000, 4000000, 1000000, start::noise_row};

@@ -242,7 +242,7 @@ constexpr bool bounded(Reader& r, Word all, const Stage& stage) {
 constexpr bool take_places(Reader& r, Word all, Stage& stage) {
   Start& start = r.recipe->start;
   const bool map = evolve::has_map(stage.number), grade = evolve::has_grade(stage.number);
-  stage.solver = evolve::with_places(stage.solver, map || grade);
+  stage.solver = evolve::with_places(stage.solver, map || grade, r.family->solvers + kPictured);
   if (stage.entry == Entry::start && start.kind == Start::segments)
     start.row = map ? evolve::segments_along_row : start::segments_row;
   if (!grade || stage.level > 0) return true;

@@ -111,7 +111,7 @@ static void put_numbers(Writer& w, const Family& f, const int32_t* number) {
 static void put_solver(Writer& w, const Family& f, const evolve::Solver* solver) {
   put_key(w, "solver");
   int32_t index = 0;
-  solver = evolve::with_places(solver, false);
+  solver = evolve::with_places(solver, false, f.solvers + kPictured);
   while (solver != f.solvers[index] && index < 3) ++index;
   put_word(w, f.solver_names, index);
 }

@@ -289,12 +289,8 @@ static int32_t grade_of(const DirectionMap& m, Grade::Kind kind, uint16_t at_x, 
   if (kind == Grade::across) return wave(at_x, m.width);
   if (kind == Grade::down) return wave(at_y, m.height);
   if (kind == Grade::centre) return (wave(at_x, m.width) + wave(at_y, m.height)) >> 1;
-  const GreyImage& grey = images_of(m).lengths;
-  const auto place = [](uint16_t at, uint16_t size, uint16_t cells) {
-    return static_cast<int32_t>(centre(at, size, static_cast<uint16_t>(128u * cells))) - 128;
-  };
-  const Bytes image = {grey.cells, grey.width, grey.height, 1};
-  return (between(image, place(at_x, m.width, grey.width), place(at_y, m.height, grey.height), 0) * 257) >> 9;
+  const GreyImage& image = images_of(m).lengths;
+  return (image.work->at(image, m, at_x, at_y) * 257) >> 9;
 }
 
 void grade_row(const DirectionMap& m, Grade grade, int32_t y, uint16_t n, int16_t* out) {
@@ -305,6 +301,15 @@ void grade_row(const DirectionMap& m, Grade grade, int32_t y, uint16_t n, int16_
     out[x] = static_cast<int16_t>((share * share + 16384) >> 15);
   }
 }
+
+static int32_t grey_at(const GreyImage& grey, const DirectionMap& m, uint16_t x, uint16_t y) {
+  const auto place = [](uint16_t at, uint16_t size, uint16_t cells) {
+    return static_cast<int32_t>(centre(at, size, static_cast<uint16_t>(128u * cells))) - 128;
+  };
+  const Bytes image = {grey.cells, grey.width, grey.height, 1};
+  return between(image, place(x, m.width, grey.width), place(y, m.height, grey.height), 0);
+}
+extern const GreyWork grey_work = {grey_at};
 
 void grey_row(const GreyImage& grey, int32_t x, int32_t y, uint16_t width, uint16_t height, uint16_t n, int32_t* out) {
   const Bytes image = {grey.cells, grey.width, grey.height, 1};

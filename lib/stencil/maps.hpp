@@ -11,8 +11,10 @@ namespace dapple {
 namespace stencil {
 struct ImageWork;
 struct StyleWork;
+struct GreyWork;
 extern const ImageWork image_work;
 extern const StyleWork style_work;
+extern const GreyWork grey_work;
 }  // namespace stencil
 
 // Directions from the caller, stretched over the tile: row by row pairs (127 cos 2 theta, 127 sin 2 theta), theta from
@@ -40,6 +42,7 @@ struct StyleImage {
 struct GreyImage {
   const uint8_t* cells;
   uint16_t width, height;  // 1..kMostImage
+  const stencil::GreyWork* work = &stencil::grey_work;
 };
 
 // What a stage finds in Stage::stored. Of the mapped family: directions for map=image, styles for solver=styled, a measured
@@ -139,6 +142,11 @@ void grade_row(const DirectionMap& map, Grade grade, int32_t y, uint16_t n, int1
 // What maps do with a picture of directions and nowhere else: a row of it, its world row folded.
 struct ImageWork {
   void (*row)(const DirectionMap& map, uint16_t row, uint16_t n, int16_t* out);
+};
+
+// The same for grey pictures: the grey of a place of the map's period, Q8, 0..65280.
+struct GreyWork {
+  int32_t (*at)(const GreyImage& image, const DirectionMap& map, uint16_t x, uint16_t y);
 };
 
 // A row of n cells of a grey picture, Q8: 0..65280. (x, y): the world's first cell, any; width, height: of the period.
