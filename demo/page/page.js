@@ -15,6 +15,7 @@ class Page {
     this.presets = this.trial.presets;
     this.numbers = new Panel(by("numbers"), this.trial, (line) => this.turned(line));
     this.ground = null;
+    this.wished = "plane";  // the ground that was last chosen by hand
     this.canvas = by("view");
     this.context = this.canvas.getContext("2d", { alpha: false });
     this.camera = new Camera(this.canvas, () => (this.stale = true));
@@ -40,7 +41,10 @@ class Page {
     on("preset", "change", () => by("preset").value && this.choose(by("preset").value));
     on("recipe", "input", () => this.later());
     for (const id of ["seed", "width", "height"]) on(id, "input", () => this.later());
-    for (const id of ["plane", "torus"]) on(id, "change", () => this.apply());
+    for (const id of ["plane", "torus"]) on(id, "change", () => {
+      this.wished = id;
+      this.apply();
+    });
     on("dice", "click", () => {
       by("seed").value = crypto.getRandomValues(new Uint32Array(1))[0];
       this.apply();
@@ -133,11 +137,12 @@ class Page {
     return words.recipe || words.seed || words.size ? null : setup;
   }
 
-  // Recipes that run too long for the plane are shown as a tile.
+  // Recipes that run too long for the plane are shown as a tile, and the plane again with the next that does not.
   readGround(setup, words) {
     const refused = this.trial.refusal({ plane: true, x: 0, y: 0, width: 64, height: 64 });
     by("plane").disabled = refused !== null;
-    setup.ground = by("torus").checked || refused ? "torus" : "plane";
+    setup.ground = refused ? "torus" : this.wished;
+    by(setup.ground).checked = true;
     setup.halo = this.trial.halo();
     const slow = setup.ground === "plane" && setup.halo > 300;
     by("why").textContent = refused ? `This recipe is ${refused}.`

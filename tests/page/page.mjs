@@ -90,6 +90,10 @@ for (const name of ["zebra-bits", "fingerprint", "zebra", "zebra-haunch", "gs-ma
 check(await page.isDisabled("#plane") && /not for the endless plane/.test(await page.textContent("#why")), "gs-maze: the plane is not refused");
 await choose(page, "zebra-bits");
 await page.check("#plane");
+await choose(page, "gs-maze");
+check(await page.isChecked("#torus"), "gs-maze: the plane is shown as chosen");
+await choose(page, "zebra-bits");
+check(await page.isChecked("#plane"), "zebra-bits after gs-maze: not the plane again");
 await page.evaluate(() => { window.page.camera.zoom = 1; window.page.camera.place(192, -192); });
 await settled(page);
 const same = await page.evaluate((want) => {
