@@ -19,4 +19,27 @@ inline std::vector<int16_t> field_of(const std::string& text, dapple::Domain dom
   return grown.field();
 }
 
+// The same bits however the run is sliced and in however many bands; these.
+inline std::vector<int16_t> sliced_field(const std::string& text, dapple::Domain domain) {
+  const std::vector<int16_t> whole = field_of(text, domain);
+  for (const uint32_t budget : {1u, 7u, 1000u}) CHECK(field_of(text, domain, budget) == whole);
+  for (const uint8_t bands : {uint8_t{2}, uint8_t{3}, uint8_t{9}}) CHECK(field_of(text, domain, 13, bands) == whole);
+  return whole;
+}
+
+// Every kind of kinetics, with a scale for two grids and a dt for the finer one.
+struct Kind {
+  std::string family, scale, dt;
+};
+inline std::vector<Kind> kinds() {
+  return {{"turing", " scale=12", " dt=0.9"},
+          {"meinhardt-spots", " scale=4", " dt=0.9"},
+          {"meinhardt-stripes", " scale=1.4", " dt=0.9"},
+          {"fitzhugh-nagumo", " scale=1.4", " dt=0.05"},
+          {"schnakenberg", " scale=12", " dt=0.9"},
+          {"brusselator", " scale=1.4", " dt=0.05"},
+          {"turing cells=compact", " scale=12", " dt=0.9"},
+          {"meinhardt-spots cells=compact", " scale=4", " dt=0.9"}};
+}
+
 }  // namespace tests

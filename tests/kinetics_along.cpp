@@ -106,21 +106,13 @@ TEST_CASE("along a map: what has grown has no seam") {
 }
 
 TEST_CASE("along a map: the same bits however the run is sliced and in however many bands") {
-  for (const std::string family : {"turing", "meinhardt-spots", "meinhardt-stripes", "fitzhugh-nagumo", "schnakenberg",
-                                   "brusselator", "turing cells=compact", "meinhardt-spots cells=compact"}) {
-    const auto is = [&](const char* name) { return family.find(name) == 0; };
-    const std::string text =
-        family + " vary=0.05 stretch=1.5 angle=20 map=swirl level=1 scale=" +
-        (is("turing") || is("schnakenberg") ? "12"
-         : is("meinhardt-spots")            ? "4"
-                                            : "1.4") +
-        " steps=9 then refine steps=5 map=radial dt=" + (is("fitzhugh-nagumo") || is("brusselator") ? "0.05" : "0.9") +
-        " then freeze reset=off above=0.4 held=apart steps=7 then carry steps=3";
+  for (const tests::Kind& kind : tests::kinds()) {
+    const std::string text = kind.family + kind.scale +
+                             " vary=0.05 stretch=1.5 angle=20 map=swirl level=1 steps=9 then refine steps=5 map=radial" +
+                             kind.dt + " then freeze reset=off above=0.4 held=apart steps=7 then carry steps=3";
     INFO(text);
     const dapple::Domain domain = dapple::torus(74, 50);
-    const std::vector<int16_t> whole = field_of(text, domain);
-    for (const uint32_t budget : {1u, 7u, 1000u}) CHECK(field_of(text, domain, budget) == whole);
-    for (const uint8_t bands : {uint8_t{2}, uint8_t{3}, uint8_t{9}}) CHECK(field_of(text, domain, 13, bands) == whole);
+    const std::vector<int16_t> whole = tests::sliced_field(text, domain);
     std::string other = text;
     other.replace(other.find("map=swirl"), 9, "map=bends");
     CHECK(field_of(other, domain) != whole);
