@@ -187,16 +187,22 @@ static uint32_t driven(Run& run, uint32_t rows) {
   return run.driver->step(*run.driver, run, rows);
 }
 
-// A sweep that has been opened, the first of its step, of which no row is done.
+// A step that is left to the driver, which does whole ones, until there are rows for it.
+static bool waits(const Run& run) {
+  return run.driver != nullptr && run.ghosts.seal == nullptr && run.phase == Phase::sweeping && run.sweep.row == nullptr &&
+         run.cursor.sweep == 0 && run.step < run.stage.steps;
+}
+
+// Such a step; or a sweep that has been opened, the first of its step, of which no row is done.
 bool between_steps(const Run& run) {
-  if (run.phase == Phase::done) return true;
+  if (run.phase == Phase::done || waits(run)) return true;
   return run.phase == Phase::sweeping && run.sweep.row != nullptr && run.cursor.sweep == 1 && run.at_band == 0 &&
          !run.band[0].open && run.band[0].run == 0;
 }
 
 // Its margin stays.
 void reopen_sweep(Run& run) {
-  if (run.phase == Phase::done) return;
+  if (run.phase == Phase::done || waits(run)) return;
   run.cursor.sweep = 0;
   next_sweep(run);
   begin_sweep(run.field, run.sweep, run.band);
@@ -227,6 +233,7 @@ bool advance(Run& run, uint32_t rows, bool one_part) {
         run.at_row = 0;
         continue;
       }
+      if (rows == 0 && waits(run)) return true;
       const uint32_t done = driven(run, rows);
       rows -= done;
       run.rows += done;
