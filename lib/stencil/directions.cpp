@@ -101,8 +101,10 @@ void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, in
   int32_t world = folded(f.x + x, f.width, f.width);
   NodePlace p = node_place(world, f.width, f.across);
   for (uint8_t k = 0; k < count; ++k) {
+    const bool next = k > 0 && p.node == at + 1;  // two of its nodes are there
+    if (next) nodes[0] = nodes[1], nodes[1] = nodes[2];
     if (k == 0 || p.node != at)
-      for (uint8_t n = 0; n < 3; ++n) nodes[n] = column(f, p.node + n - 1, row.node, down);
+      for (uint8_t n = next ? 2 : 0; n < 3; ++n) nodes[n] = column(f, p.node + n - 1, row.node, down);
     at = p.node;
     const Blend across = blend_of(p.part);
     next_cell(p);

@@ -26,7 +26,7 @@ constexpr bool inside(const MaskShape& s, int16_t x, int16_t y) {
   return !s.isotropic || 4 * (x * x + y * y) <= edge * edge;
 }
 
-constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
+constexpr void add_kernels(const MaskShape& s, const int16_t* factor, uint8_t count, int32_t* kernel, uint16_t apart) {
   const int64_t milli = s.wavelength / 1000;
   const int64_t across = milli * milli * 657316 / 10000000;  // 2 s^2, 1e-6 cells^2
   const int64_t stretch = s.isotropic ? 1000 : s.stretch / 1000;
@@ -47,11 +47,14 @@ constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
     for (int16_t y = static_cast<int16_t>(-r); y <= r; ++y)
       for (int16_t x = static_cast<int16_t>(-r); x <= r; ++x, ++to) {
         const int32_t share = static_cast<int32_t>(inside(s, x, y) ? (static_cast<int64_t>(value(x, y)) << 30) / total : 0);
-        const int32_t part = static_cast<int32_t>((static_cast<int64_t>(share) * factor) >> 15);
-        *to += inhibitor ? -part : part;
+        for (uint8_t m = 0; m < count; ++m) {
+          const int32_t part = static_cast<int32_t>((static_cast<int64_t>(share) * factor[m]) >> 15);
+          to[m * apart] += inhibitor ? -part : part;
+        }
       }
   }
 }
+constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) { add_kernels(s, &factor, 1, kernel, 0); }
 
 // Weights being rounded: scaled is the exact weight in Q8.
 struct Rounding {
