@@ -76,8 +76,6 @@ static Pair column(const DirectionField& f, int32_t i, int32_t j, const Blend& d
   return sum;
 }
 
-int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
-
 Doubled doubled_of(uint16_t turn) {
   return {to_q7((base::cosine(turn) + 128) >> 8), to_q7((base::sine(turn) + 128) >> 8)};
 }

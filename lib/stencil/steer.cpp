@@ -59,7 +59,7 @@ struct Sums {
 };
 
 // 128 D of thread t, and the maximum with what is there. Products and sums of two fit int16: (c, s) and a thread's own are
-// unit vectors in Q7 or shorter, rounded, |.| < 129.1 (to_q7 of unit_of and doubled_of; tests/directions.cpp). So
+// unit vectors in Q7 or shorter, rounded, |.| < 129.1 (unit_of, doubled_of; tests/desktop/steered.cpp). So
 // |(c2, s2)| < 129.1^2 / 128 + .8 < 131.1, |(c4, s4)| < 131.1^2 / 128 + .8 < 135.1, and 135.1 * 127 sqrt 2 = 24265.
 static void steer(const SteerSet& set, uint8_t t, const Sums& sums, const int8_t* c, const int8_t* s, int32_t* most) {
   const int16_t tc = set.c2[t], ts = set.s2[t];
