@@ -55,14 +55,17 @@ DAPPLE_INLINE Shorts<W> above(const SteerSet& set, const W (*sum)[kTurnedWords],
 // The new cells of a word; sum: of every mask, turned.
 template <class W>
 DAPPLE_INLINE W mixed(const SteerSet& set, const W (*sum)[kTurnedWords], const W* direction, int16_t threshold) {
-  Shorts<W> cells = {};
+  using L = decltype(lanes_of(W{}));
+  L cells = {}, bit = cells + UINT64_C(0x0101010101010101);
   for (uint8_t i = 0; i < kTurnedWords; ++i) {
-    cells |= above<false>(set, sum, direction, i, threshold) & static_cast<int16_t>(1 << i);
-    cells |= above<true>(set, sum, direction, i, threshold) & static_cast<int16_t>(256 << i);
+    const Shorts<W> even = above<false>(set, sum, direction, i, threshold);
+    const Shorts<W> odd = above<true>(set, sum, direction, i, threshold);
+    W both;
+    set_word((even & 255) | (odd & -256), both);
+    cells |= lanes_of(both) & bit;
+    bit += bit;
   }
-  W word;
-  set_word(cells, word);
-  return word;
+  return cells;
 }
 
 // The lower eight places of a sum, which all its cells fit, as bytes.
