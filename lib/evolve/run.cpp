@@ -187,16 +187,17 @@ static uint32_t driven(Run& run, uint32_t rows) {
   return run.driver->step(*run.driver, run, rows);
 }
 
-// A sweep that has been opened, the first of its step, of which no row is done.
+// A sweep that has been opened, the first of its step, of which no row is done; or none, where the step waits for a driver.
 bool between_steps(const Run& run) {
   if (run.phase == Phase::done) return true;
-  return run.phase == Phase::sweeping && run.sweep.row != nullptr && run.cursor.sweep == 1 && run.at_band == 0 &&
-         !run.band[0].open && run.band[0].run == 0;
+  if (run.phase != Phase::sweeping) return false;
+  if (run.sweep.row == nullptr) return run.driver != nullptr && run.cursor.sweep == 0;
+  return run.cursor.sweep == 1 && run.at_band == 0 && !run.band[0].open && run.band[0].run == 0;
 }
 
 // Its margin stays.
 void reopen_sweep(Run& run) {
-  if (run.phase == Phase::done) return;
+  if (run.phase == Phase::done || run.sweep.row == nullptr) return;
   run.cursor.sweep = 0;
   next_sweep(run);
   begin_sweep(run.field, run.sweep, run.band);
@@ -227,6 +228,7 @@ bool advance(Run& run, uint32_t rows, bool one_part) {
         run.at_row = 0;
         continue;
       }
+      if (rows == 0 && run.driver != nullptr && run.step < run.stage.steps) return true;  // for which it wants rows
       const uint32_t done = driven(run, rows);
       rows -= done;
       run.rows += done;

@@ -76,8 +76,6 @@ static Pair column(const DirectionField& f, int32_t i, int32_t j, const Blend& d
   return sum;
 }
 
-int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
-
 Doubled doubled_of(uint16_t turn) {
   return {to_q7((base::cosine(turn) + 128) >> 8), to_q7((base::sine(turn) + 128) >> 8)};
 }
@@ -97,18 +95,21 @@ void directions(const DirectionField& f, int32_t x, int32_t y, uint8_t count, in
   const NodePlace row = node_place(folded(f.y + y, f.height, f.height), f.height, f.down);
   const Blend down = blend_of(row.part);
   Pair nodes[3] = {};
-  int32_t at = 0;
   int32_t world = folded(f.x + x, f.width, f.width);
   NodePlace p = node_place(world, f.width, f.across);
+  int32_t at = p.node - 3;
   for (uint8_t k = 0; k < count; ++k) {
-    if (k == 0 || p.node != at)
-      for (uint8_t n = 0; n < 3; ++n) nodes[n] = column(f, p.node + n - 1, row.node, down);
-    at = p.node;
+    for (; at < p.node; ++at) {  // of the next node's three two are there
+      nodes[0] = nodes[1];
+      nodes[1] = nodes[2];
+      nodes[2] = column(f, at + 2, row.node, down);
+    }
     const Blend across = blend_of(p.part);
     next_cell(p);
     if (++world == f.width && f.width != 0) {
       world = 0;
       p = node_place(0, f.width, f.across);
+      at = -3;
     }
     Pair sum = {0, 0};
     for (uint8_t n = 0; n < 3; ++n) {

@@ -42,9 +42,10 @@ constexpr bool make_mask(const MaskShape* shapes, uint8_t count, Mask& mask);
 // The wavelength, in 1/kMicro cells, at which the transfer function of a mask made from `shape` peaks.
 int32_t peak_wavelength(const Mask& mask, const MaskShape& shape);
 
-// The parts of it: adds factor (Q15) times K of a shape, Q30, to kernel[], row-major; rounds exact weights in Q8 (false: P or
-// a weight beyond its limit).
+// The parts of it: adds factor (Q15) times K of a shape, Q30, to kernel[], row-major, with several factors to as many
+// kernels so far apart; rounds exact weights in Q8 (false: P or a weight beyond its limit).
 constexpr void add_kernel(const MaskShape& shape, int16_t factor, int32_t* kernel);
+constexpr void add_kernels(const MaskShape& shape, const int16_t* factor, uint8_t count, int32_t* kernel, uint16_t apart);
 constexpr bool round_mask(const int16_t* scaled, bool isotropic, uint8_t limit, Mask& mask);
 
 // Weights as lists of unit taps, one for every sign and binary place: what bit-sliced evaluation eats. A tap is the index

@@ -26,32 +26,35 @@ constexpr bool inside(const MaskShape& s, int16_t x, int16_t y) {
   return !s.isotropic || 4 * (x * x + y * y) <= edge * edge;
 }
 
-constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) {
+// K is the same at (x, y) and at (-x, -y): cells up to the centre are made, the others are those mirrored.
+constexpr void add_kernels(const MaskShape& s, const int16_t* factor, uint8_t count, int32_t* kernel, uint16_t apart) {
   const int64_t milli = s.wavelength / 1000;
   const int64_t across = milli * milli * 657316 / 10000000;  // 2 s^2, 1e-6 cells^2
   const int64_t stretch = s.isotropic ? 1000 : s.stretch / 1000;
   const int64_t along = across * stretch * stretch / 1000000;
   const int64_t wide = across * 9 / 4, far = s.isotropic ? wide : along;
   const int64_t c = base::cosine(s.angle), n = base::sine(s.angle);
-  const int16_t r = s.radius;
+  const int16_t side = static_cast<int16_t>(2 * s.radius + 1), centre = static_cast<int16_t>(side * side / 2);
   for (uint8_t inhibitor = 0; inhibitor < 2; ++inhibitor) {
     const int64_t du = inhibitor ? far : along, dv = inhibitor ? wide : across;
-    const auto value = [&](int16_t x, int16_t y) {
+    const auto value = [&](int16_t i) {
+      const int16_t x = static_cast<int16_t>(i % side - s.radius), y = static_cast<int16_t>(i / side - s.radius);
       const int64_t u = x * c + y * n, v = y * c - x * n;
-      return decay(square_q16(u) * base::kMicro / du + square_q16(v) * base::kMicro / dv);
+      return inside(s, x, y) ? decay(square_q16(u) * base::kMicro / du + square_q16(v) * base::kMicro / dv) : 0;
     };
-    int64_t total = 0;
-    for (int16_t y = static_cast<int16_t>(-r); y <= r; ++y)
-      for (int16_t x = static_cast<int16_t>(-r); x <= r; ++x) total += inside(s, x, y) ? value(x, y) : 0;
-    int32_t* to = kernel;
-    for (int16_t y = static_cast<int16_t>(-r); y <= r; ++y)
-      for (int16_t x = static_cast<int16_t>(-r); x <= r; ++x, ++to) {
-        const int32_t share = static_cast<int32_t>(inside(s, x, y) ? (static_cast<int64_t>(value(x, y)) << 30) / total : 0);
-        const int32_t part = static_cast<int32_t>((static_cast<int64_t>(share) * factor) >> 15);
-        *to += inhibitor ? -part : part;
+    int64_t total = value(centre);
+    for (int16_t i = 0; i < centre; ++i) total += INT64_C(2) * value(i);
+    for (int16_t i = 0; i <= centre; ++i) {
+      const int32_t share = static_cast<int32_t>((static_cast<int64_t>(value(i)) << 30) / total);
+      for (uint8_t m = 0; m < count; ++m) {
+        const int32_t part = static_cast<int32_t>((static_cast<int64_t>(share) * factor[m]) >> 15) * (inhibitor ? -1 : 1);
+        kernel[m * apart + i] += part;
+        if (i < centre) kernel[m * apart + 2 * centre - i] += part;
       }
+    }
   }
 }
+constexpr void add_kernel(const MaskShape& s, int16_t factor, int32_t* kernel) { add_kernels(s, &factor, 1, kernel, 0); }
 
 // Weights being rounded: scaled is the exact weight in Q8.
 struct Rounding {

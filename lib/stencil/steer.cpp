@@ -25,21 +25,22 @@ static bool round_kernel(const int32_t* kernel, int32_t tenths, int32_t peak, Ma
 }
 
 bool make_steerable(const MaskShape& shape, Mask* masks, int16_t& sum) {
-  int32_t kernel[kSteerable][kCells] = {};
+  int32_t kernel[kSteerable * kCells] = {};
   MaskShape turned = shape;
   for (uint8_t k = 0; k < kAngles; ++k) {
     turned.angle = static_cast<uint16_t>(32768u / kAngles * k);
-    for (uint8_t m = 0; m < kSteerable; ++m) add_kernel(turned, harmonic(m, k), kernel[m]);
+    int16_t factor[kSteerable];
+    for (uint8_t m = 0; m < kSteerable; ++m) factor[m] = harmonic(m, k);
+    add_kernels(turned, factor, kSteerable, kernel, kCells);
   }
   const uint16_t cells = static_cast<uint16_t>((2 * shape.radius + 1) * (2 * shape.radius + 1));
   int32_t peak = 1;
-  for (const auto& one : kernel)
-    for (uint16_t i = 0; i < cells; ++i) peak = base::max(peak, one[i] < 0 ? -one[i] : one[i]);
+  for (const int32_t value : kernel) peak = base::max(peak, value < 0 ? -value : value);
   for (int32_t tenths = 74; tenths >= 15; --tenths) {
     bool good = true;
     for (uint8_t m = 0; m < kSteerable && good; ++m) {
       masks[m].radius = shape.radius;
-      good = round_kernel(kernel[m], tenths, peak, masks[m]);
+      good = round_kernel(kernel + m * kCells, tenths, peak, masks[m]);
     }
     if (!good) continue;
     sum = 0;
@@ -57,16 +58,19 @@ struct Sums {
   int8_t d[kSteerable][kBlock];
 };
 
-// 128 D of thread t, and the maximum with what is there: |128 * 127 * 5| = 81280.
+// 128 D of thread t, and the maximum with what is there. Products and sums of two fit int16: (c, s) and a thread's own are
+// unit vectors in Q7 or shorter, rounded, |.| < 129.1 (unit_of, doubled_of; tests/desktop/steered.cpp). So
+// |(c2, s2)| < 129.1^2 / 128 + .8 < 131.1, |(c4, s4)| < 131.1^2 / 128 + .8 < 135.1, and 135.1 * 127 sqrt 2 = 24265.
 static void steer(const SteerSet& set, uint8_t t, const Sums& sums, const int8_t* c, const int8_t* s, int32_t* most) {
   const int16_t tc = set.c2[t], ts = set.s2[t];
   for (uint8_t i = 0; i < kBlock; ++i) {
     const int16_t c2 = static_cast<int16_t>((c[i] * tc - s[i] * ts + 64) >> 7);
     const int16_t s2 = static_cast<int16_t>((s[i] * tc + c[i] * ts + 64) >> 7);
-    const int16_t c4 = static_cast<int16_t>((static_cast<int32_t>(c2) * c2 - static_cast<int32_t>(s2) * s2 + 64) >> 7);
-    const int16_t s4 = static_cast<int16_t>((INT32_C(2) * c2 * s2 + 64) >> 7);
-    const int32_t d = INT32_C(128) * sums.d[0][i] + static_cast<int32_t>(c2) * sums.d[1][i] + static_cast<int32_t>(s2) * sums.d[2][i] +
-                      static_cast<int32_t>(c4) * sums.d[3][i] + static_cast<int32_t>(s4) * sums.d[4][i];
+    const int16_t c4 = static_cast<int16_t>((c2 * c2 - s2 * s2 + 64) >> 7);
+    const int16_t s4 = static_cast<int16_t>((2 * c2 * s2 + 64) >> 7);
+    const int16_t two = static_cast<int16_t>(c2 * sums.d[1][i] + s2 * sums.d[2][i]);
+    const int16_t four = static_cast<int16_t>(c4 * sums.d[3][i] + s4 * sums.d[4][i]);
+    const int32_t d = INT32_C(128) * sums.d[0][i] + two + four;
     most[i] = d > most[i] ? d : most[i];
   }
 }

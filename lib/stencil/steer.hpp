@@ -32,7 +32,8 @@ struct DirectionField {
 struct Doubled {
   int8_t c2, s2;
 };
-int8_t to_q7(int32_t value);             // held within +-127
+// Held within +-127.
+inline int8_t to_q7(int32_t value) { return static_cast<int8_t>(base::clamp(value, -127, 127)); }
 Doubled doubled_of(uint16_t turn);       // of a doubled angle in 1/65536 turns
 Doubled unit_of(int32_t a, int32_t b);   // along (a, b) in Q12, |(a, b)| 1/16..2; shorter below 1/16
 

@@ -23,6 +23,7 @@
   ROW(set, stencil, convolve_row, convolve_wide)              \
   ROW(set, stencil, strip_row, strip_wide)                    \
   ROW(set, stencil, turn_row, turn_wide)                      \
+  ROW(set, stencil, steer_strip_row, steer_strip_wide)        \
   ROW(set, stencil, convolve_lean, lean_wide)                 \
   ROW(set, stencil, convolve_stored, stored_wide)             \
   ROW(set, stencil, field_row, field_wide)                    \

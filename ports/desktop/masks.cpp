@@ -6,24 +6,40 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "../../lib/evolve/convolution.hpp"
+#include "../../lib/evolve/steering.hpp"
 
 namespace dapple::desktop {
 
 using stencil::StripMask;
 using stencil::World;
 
-constexpr uint16_t kLeastSide = 64;     // of a torus: rows go round a word at a time
-constexpr uint32_t kOwnWorld = 20;      // taps that a world of its own costs
-constexpr uint32_t kSmallGrid = 16384;  // cells; below, a step is not worth two threads
+constexpr uint16_t kLeastSide = 64;                    // of a torus: rows go round a word at a time
+constexpr uint32_t kOwnWorld = 20;                     // taps that a world of its own costs
+constexpr uint32_t kSmallGrid = 16384;                 // cells; below, a step is not worth two threads
+constexpr size_t kWidest = 32;                         // bytes of a word
+constexpr size_t kMostDirections = size_t{128} << 20;  // bytes that are kept
+
+static size_t rounded_up(size_t count, size_t to) { return (count + to - 1) / to * to; }
+
+static size_t direction_bytes(const evolve::Field& field) { return 2 * rounded_up(field.width, 256) * field.height; }
+
+static bool steers(const evolve::Run& run) { return run.solver.next == &evolve::steered_next; }
+
+static const stencil::SteerSet& steer_set(const evolve::Run& run) {
+  return *reinterpret_cast<const stencil::SteerSet*>(run.table);
+}
 
 bool Masks::fits(const evolve::Run& run) {
+  const bool wide = run.domain.plane || (run.field.width >= kLeastSide && run.field.height >= kLeastSide);
   const auto next = run.solver.next;
+  if (steers(run))
+    return wide && grid::choose(run.kernels, stencil::steer_strip_row) != &stencil::steer_strip_row &&
+           direction_bytes(run.field) <= kMostDirections;
   if (next != &evolve::sliced_next && next != &evolve::lean_next && next != &evolve::stored_next) return false;
   if (grid::choose(run.kernels, stencil::strip_row) == &stencil::strip_row) return false;
   const int32_t* const number = run.stage.number;
   const bool signs = number[bits::react] == stencil::max_difference || number[bits::masks] <= 2;
-  return signs && (run.domain.plane || (run.field.width >= kLeastSide && run.field.height >= kLeastSide));
+  return signs && wide;
 }
 
 Masks::Given Masks::given(const evolve::Run& run) {
@@ -31,7 +47,8 @@ Masks::Given Masks::given(const evolve::Run& run) {
     const auto& masks = *static_cast<const stencil::StoredMasks<1>*>(run.stage.stored);
     return {masks.set.count, masks.set.radius, masks.set.sum, masks.taps};
   }
-  const stencil::MaskSet& set = *reinterpret_cast<const stencil::MaskSet*>(run.table);
+  const stencil::MaskSet& set =
+      steers(run) ? steer_set(run).masks : *reinterpret_cast<const stencil::MaskSet*>(run.table);
   return {set.count, set.radius, set.sum, set.whole};
 }
 
@@ -101,12 +118,13 @@ constexpr int kLean[] = {0, 1, -1, 0};  // of the worlds
 
 }  // namespace
 
-// Every mask in the world where it takes the fewest taps, with the grid kept so that they are fewest in all.
-void Masks::plan(const Given& set) {
+// Every mask in the world where it takes the fewest taps, with the grid kept so that they are fewest in all; upright as
+// it is where sums are mixed.
+void Masks::plan(const Given& set, bool steered) {
   const size_t cells = (2u * set.radius + 1) * (2u * set.radius + 1);
   std::vector<int8_t> weights(cells * set.count);
   for (uint8_t i = 0; i < set.count; ++i) stencil::weights_of(set.taps[i], set.radius, &weights[i * cells]);
-  if (weights == weights_) return;
+  if (weights == weights_ && steered == steered_) return;
   uint8_t choice[2][stencil::kMaxMasks];
   uint32_t cost[2] = {0, 0};
   const auto seen = [&](size_t i, int world, bool over) {
@@ -115,7 +133,7 @@ void Masks::plan(const Given& set) {
   for (const bool over : {false, true})
     for (size_t i = 0; i < set.count; ++i) {
       uint32_t best = UINT32_MAX;
-      for (uint8_t world = 0; world < worlds; ++world) {
+      for (uint8_t world = 0; world < (steered ? right : worlds); ++world) {
         const uint32_t taps = counts_of(seen(i, world, over)).least() + (world == upright ? 0 : kOwnWorld);
         if (taps >= best) continue;
         best = taps;
@@ -123,7 +141,7 @@ void Masks::plan(const Given& set) {
       }
       cost[over] += best;
     }
-  over_ = cost[1] < cost[0];
+  over_ = !steered && cost[1] < cost[0];
   for (uint8_t k = 0; k < worlds; ++k) {
     World& world = world_[k];
     int first = 0, last = 0;
@@ -138,11 +156,10 @@ void Masks::plan(const Given& set) {
       if (choice[over_][i] == k) world.mask[world.masks++] = mask_of(seen(i, k, over_), world);
   }
   weights_ = weights;
+  steered_ = steered;
 }
 
 // --- the grid --------------------------------------------------------------------------------------------------------
-
-static size_t rounded_up(size_t count, size_t to) { return (count + to - 1) / to * to; }
 
 void Masks::Grid::lay_out(uint16_t width, uint16_t height, bool plane, bool leans) {
   constexpr size_t kBeside = 32;  // bytes
@@ -197,6 +214,8 @@ void Masks::lay_out(const evolve::Run& run) {
     turned_next_.lay_out(height, width, plane, false);
   }
   if (leans()) leaning_.resize(now_.bits.pitch * (size_t{height} + 1));
+  if (steered_) directions_.resize(direction_bytes(f) + kWidest);
+  fresh_ = true;
 }
 
 void Masks::load(const evolve::Field& field) {
@@ -232,6 +251,19 @@ void Masks::strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_
   strip_row_(call);
 }
 
+void Masks::steer(const evolve::Run& run, uint16_t first, uint16_t end) {
+  const int16_t threshold = stencil::threshold_of(run.sweep.p[1], given(run).sum);
+  const uintptr_t memory = reinterpret_cast<uintptr_t>(directions_.data());
+  const stencil::Steered steered = {
+      {&world_[upright], now_.bits, next_.bits.rows, false, threshold, first, end, nullptr},
+      &steer_set(run),
+      directions_.data() + (-memory & (kWidest - 1)),
+      fresh_};
+  grid::Rows call{};
+  call.in[0] = &steered;
+  steer_row_(call);
+}
+
 // Calls work(first, end) for parts of from .. end - 1, multiples of `whole` rows, on all hands.
 template <class Work>
 static void in_parts(Crew* crew, uint16_t from, uint16_t to, uint16_t whole, const Work& work) {
@@ -248,6 +280,12 @@ void Masks::one_step(const evolve::Run& run, Crew* crew) {
   const bool turns = world_[turned].masks > 0, goes_round = !run.domain.plane || leans();
   if (goes_round)
     in_parts(crew, 0, height, 1, [&](uint16_t first, uint16_t end) { now_.go_round(first, end, leans()); });
+  if (steered_) {
+    in_parts(crew, margin, static_cast<uint16_t>(height - margin), 1,
+             [&](uint16_t first, uint16_t end) { steer(run, first, end); });
+    fresh_ = false;
+    return std::swap(now_, next_);
+  }
   bool add = false;
   for (uint8_t k = upright; k < turned; ++k) {
     if (world_[k].masks == 0) continue;
@@ -271,7 +309,8 @@ uint32_t Masks::steps(evolve::Run& run, Crew& crew, uint32_t rows, uint64_t& lef
   const evolve::Field& field = run.field;
   strip_row_ = grid::choose(run.kernels, stencil::strip_row);
   turn_row_ = grid::choose(run.kernels, stencil::turn_row);
-  plan(given(run));
+  steer_row_ = grid::choose(run.kernels, stencil::steer_strip_row);
+  plan(given(run), steers(run));
   lay_out(run);
   load(field);
   const bool alone = crew.size() == 1 || uint32_t{field.width} * field.height < kSmallGrid;

@@ -79,7 +79,7 @@ constexpr int32_t kLargestFactor = 1 << 28;
 static void lit(const Shader& s, Block& block) {
   Words square, inverse, bright, shine;
   for (uint16_t i = 0; i < kPixels; ++i) square[i] = block.gx[i] * block.gx[i] + block.gy[i] * block.gy[i] + 65536;
-  base::inverse_roots(square, inverse, kPixels);
+  base::inverse_roots(square, inverse, kPixels / 8);
   for (uint16_t i = 0; i < kPixels; ++i) {
     const int32_t length = inverse[i] >> 4;
     const int32_t light = ((256 * kLightZ - block.gx[i] * kLightX - block.gy[i] * kLightY) * length) >> 20;

@@ -8,6 +8,44 @@ namespace dapple::stencil {
 inline void get_word(const uint8_t* from, uint64_t& word) { word = load_word<uint64_t>(from); }
 inline void put_word(uint8_t* to, uint64_t word) { base::store_word(to, word); }
 
+// --- bits and bytes in another order ---------------------------------------------------------------------------------
+
+// Exchanges the part of a above `shift` bits with the part of b below, in every block of twice as many bits.
+template <class L>
+inline void exchange(L& a, L& b, uint8_t shift, uint64_t low) {
+  const L t = ((a >> shift) ^ b) & low;
+  b ^= t;
+  a ^= t << shift;
+}
+
+// Exchanges words k and k + apart of eight like that, all of them.
+template <uint8_t apart, class L>
+inline void exchange_all(L* w, uint8_t shift, uint64_t low) {
+  for (uint8_t i = 0; i < 4; ++i) {
+    const uint8_t k = static_cast<uint8_t>((i & ~(apart - 1)) * 2 + (i & (apart - 1)));
+    exchange(w[k], w[k + apart], shift, low);
+  }
+}
+
+// Bit i of byte b of word k becomes bit k of byte b of word i: of eight places of numbers, a word each, come eight
+// words of numbers, a byte each; byte b of word i is cell 8 b + i.
+template <class L>
+inline void turn_bits(L* w) {
+  exchange_all<4>(w, 4, UINT64_C(0x0f0f0f0f0f0f0f0f));
+  exchange_all<2>(w, 2, UINT64_C(0x3333333333333333));
+  exchange_all<1>(w, 1, UINT64_C(0x5555555555555555));
+}
+
+// In every 64 bits byte i of word k becomes byte k of word i.
+template <class L>
+inline void turn_bytes(L* w) {
+  exchange_all<4>(w, 32, UINT64_C(0x00000000ffffffff));
+  exchange_all<2>(w, 16, UINT64_C(0x0000ffff0000ffff));
+  exchange_all<1>(w, 8, UINT64_C(0x00ff00ff00ff00ff));
+}
+
+// --- sums ------------------------------------------------------------------------------------------------------------
+
 template <bool minus, class W>
 DAPPLE_INLINE void take_two(W& sum, W a, W b, W& carry) {
   const W x = a ^ b, before = sum;
@@ -196,13 +234,13 @@ DAPPLE_INLINE void bring(const Strip& s, uint32_t column, int32_t from, int32_t 
 
 // --- strips ----------------------------------------------------------------------------------------------------------
 
-// A column of words, from the first row to the last. Sanitizers leave it alone: with a look at every tap it takes
-// minutes to compile.
-template <class W>
+// A column of words, from the first row to the last: decide(sums, y, out) makes cells of the sums of a row. Sanitizers
+// leave it alone: with a look at every tap it takes minutes to compile.
+template <class W, class Decide>
 __attribute__((no_sanitize("address", "undefined"))) static void strip_column(const Strip& s, uint32_t column,
                                                                               const Reached* whole,
                                                                               const Reached* change, uint8_t* to,
-                                                                              size_t pitch, bool add) {
+                                                                              size_t pitch, const Decide& decide) {
   const World& w = *s.world;
   Copies copies;
   begin_copies<W>(s, copies);
@@ -212,7 +250,6 @@ __attribute__((no_sanitize("address", "undefined"))) static void strip_column(co
     bring<W>(s, column, before, y + w.radius + 1, copies);
     const W* const row =
         reinterpret_cast<const W*>(copies.bytes + copies.row * static_cast<size_t>(before - copies.top));
-    W cells = 0;
     for (uint8_t i = 0; i < w.masks; ++i) {
       if (w.mask[i].running && y > s.first) {
         take_all(change[i].count, change[i].at, row, sums[i]);
@@ -220,16 +257,19 @@ __attribute__((no_sanitize("address", "undefined"))) static void strip_column(co
         set_number(static_cast<int16_t>(-1 - s.threshold), sums[i]);
         take_all(whole[i].count, whole[i].at, y > s.first ? row + w.columns : row, sums[i]);
       }
-      cells |= ~sums[i][kSumBits - 1];
     }
     uint8_t* const out = to + sizeof(W) * column;
-    if (add) {
-      W there;
-      get_word(out, there);
-      cells |= there;
-    }
-    put_word(out, cells);
+    put_word(out, decide(sums, y, out));
   }
+}
+
+// Cells that one of the masks is for.
+template <class W>
+DAPPLE_INLINE W any_of(const W (*sums)[kSumBits], uint8_t masks, bool add, const uint8_t* out) {
+  W cells = 0;
+  if (add) get_word(out, cells);
+  for (uint8_t i = 0; i < masks; ++i) cells |= ~sums[i][kSumBits - 1];
+  return cells;
 }
 
 // Cells at .. at + 63, at < period, of a row that goes round.
@@ -258,20 +298,37 @@ static void stand_up(const Strip& s, const uint8_t* leaning, size_t pitch) {
   }
 }
 
+// The lists of a world's masks.
+struct WorldTaps {
+  Reached whole[kMaxMasks], change[kMaxMasks];
+};
+template <class W>
+static void reach(const World& w, WorldTaps& taps) {
+  for (uint8_t i = 0; i < w.masks; ++i) {
+    reach<W>(w.mask[i].whole, taps.whole[i]);
+    if (w.mask[i].running) reach<W>(w.mask[i].change, taps.change[i]);
+  }
+}
+
+// Words that hold so many cells.
+template <class W>
+constexpr uint32_t words_of(uint32_t cells) {
+  return static_cast<uint32_t>((cells + 8 * sizeof(W) - 1) / (8 * sizeof(W)));
+}
+
 template <class W>
 static void strip_words(const Strip& s) {
   const World& w = *s.world;
-  Reached whole[kMaxMasks], change[kMaxMasks];
-  for (uint8_t i = 0; i < w.masks; ++i) {
-    reach<W>(w.mask[i].whole, whole[i]);
-    if (w.mask[i].running) reach<W>(w.mask[i].change, change[i]);
-  }
+  WorldTaps taps;
+  reach<W>(w, taps);
   // Of a torus that leans every cell of the period is wanted, of any other grid its cells.
-  const uint32_t words =
-      static_cast<uint32_t>(((w.lean != 0 ? s.from.period : s.from.width) + 8 * sizeof(W) - 1) / (8 * sizeof(W)));
+  const uint32_t words = words_of<W>(w.lean != 0 ? s.from.period : s.from.width);
+  const bool add = w.lean == 0 && s.add;
   uint8_t* const to = w.lean != 0 ? s.leaning : s.to + s.from.pitch * s.first;
   for (uint32_t column = 0; column < words; ++column)
-    strip_column<W>(s, column, whole, change, to, s.from.pitch, w.lean == 0 && s.add);
+    strip_column<W>(
+        s, column, taps.whole, taps.change, to, s.from.pitch,
+        [&](const W(*sums)[kSumBits], int32_t, const uint8_t* out) { return any_of(sums, w.masks, add, out); });
   if (w.lean != 0) stand_up(s, s.leaning, s.from.pitch);
 }
 

@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/stencil/convolve.hpp"
+#include "../../lib/stencil/steer.hpp"
 
 namespace dapple::stencil {
 
@@ -49,6 +50,18 @@ struct Strip {
 
 // in[0]: a Strip.
 void strip_row(const grid::Rows& rows);
+
+// Rows first .. end - 1 of a step along a field of directions: the sums of five masks in an upright world, mixed for
+// every cell's direction.
+struct Steered {
+  Strip strip;  // add: no; threshold: of the mixture
+  const SteerSet* set;
+  uint8_t* directions;  // two bytes for every cell of the grid's whole words, kept from step to step; aligned to a word
+  bool fresh;           // those of these rows are to be made
+};
+
+// in[0]: a Steered.
+void steer_strip_row(const grid::Rows& rows);
 
 // x and y exchanged: rows first .. end - 1, in blocks of 64, of `from` become columns of `to`, whose rows are to_pitch
 // bytes apart. There is room for whole blocks, and whole words of 32 bytes, in both.

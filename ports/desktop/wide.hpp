@@ -75,34 +75,17 @@ inline void store_cells(uint8_t* out, size_t at, uint16_t n, Wide cells) {
   for (; i < bytes; ++i) out[at + i] = all[i];
 }
 
-// Exchanges the part of a above `shift` bits with the part of b below, in every block of twice as many bits.
-inline void exchange(Lanes& a, Lanes& b, uint8_t shift, uint64_t low) {
-  const Lanes t = ((a >> shift) ^ b) & low;
-  b ^= t;
-  a ^= t << shift;
-}
-
-// Every cell of a bit-sliced number whose values fit int8: in every lane a matrix of 8 x 8 bytes is turned, so that a
-// word has the bits of eight cells, and then those bits (stencil::turned).
+// Every cell of a bit-sliced number whose values fit int8: turned to bytes, and those put in order.
 inline void values_of(const Wide* sum, int8_t* out) {
   Lanes w[8];
   for (uint8_t k = 0; k < 8; ++k) w[k] = sum[k].lanes;
-  for (uint8_t k = 0; k < 4; ++k) exchange(w[k], w[k + 4], 32, UINT64_C(0x00000000ffffffff));
-  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 1 + (k & 1) * 2))
-    exchange(w[k], w[k + 2], 16, UINT64_C(0x0000ffff0000ffff));
-  for (uint8_t k = 0; k < 8; k = static_cast<uint8_t>(k + 2)) exchange(w[k], w[k + 1], 8, UINT64_C(0x00ff00ff00ff00ff));
-  for (uint8_t k = 0; k < 8; ++k) {
-    Lanes x = w[k], t = (x ^ (x >> 7)) & UINT64_C(0x00aa00aa00aa00aa);
-    x ^= t ^ (t << 7);
-    t = (x ^ (x >> 14)) & UINT64_C(0x0000cccc0000cccc);
-    x ^= t ^ (t << 14);
-    t = (x ^ (x >> 28)) & UINT64_C(0x00000000f0f0f0f0);
-    x ^= t ^ (t << 28);
+  turn_bits(w);
+  turn_bytes(w);
+  for (uint8_t k = 0; k < 8; ++k)
     for (uint8_t lane = 0; lane < kLanes; ++lane) {
-      const uint64_t eight = x[lane];
+      const uint64_t eight = w[k][lane];
       base::copy_bytes(out + 64 * lane + 8 * k, &eight, sizeof eight);
     }
-  }
 }
 
 }  // namespace dapple::stencil

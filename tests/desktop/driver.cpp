@@ -211,3 +211,31 @@ TEST_CASE("driver: windows, in blocks too") {
     CHECK(tests::field_hash_of(recipe, domain, kSeed, options) == want);
   }
 }
+
+TEST_CASE("driver: rows that end with a step leave the next one to it, and a stamp may come between") {
+  const dapple::Recipe recipe = tests::recipe_of("gray-scott feed=0.0367 kill=0.0649 steps=6");
+  const dapple::Domain domain = dapple::torus(96, 80);
+  std::vector<uint8_t> memory(dapple::bytes_for(recipe, domain));
+  Counted counted(1);
+  std::vector<int16_t> fields[2];
+  for (const bool driven : {false, true}) {
+    dapple::Options options;
+    options.kernels = desktop::best_table().kernels;
+    if (driven) options.driver = &counted;
+    dapple::Texture texture;
+    REQUIRE(texture.begin(recipe, domain, kSeed, memory.data(), memory.size(), options) == dapple::ok);
+    CHECK(texture.step(2 * 80) == dapple::more);  // the start of two planes
+    CHECK(texture.between_steps());
+    for (const uint16_t radius : {3, 5}) {
+      CHECK(texture.step(2 * 80) == dapple::more);
+      CHECK(texture.between_steps());
+      CHECK(texture.stamp(20, 30, radius, true) == dapple::ok);
+    }
+    texture.finish();
+    fields[driven].resize(96 * 80);
+    for (uint16_t y = 0; y < 80; ++y) texture.row(y, fields[driven].data() + 96 * y);
+  }
+  CHECK(fields[0] == fields[1]);
+  CHECK(counted.asked == 3);
+  CHECK(counted.done == 3);
+}
