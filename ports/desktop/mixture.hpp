@@ -1,6 +1,7 @@
 // The mixture of steerable masks (lib/stencil/steer.hpp) on words of one-bit cells, in int16 and without putting cells
 // in order: turned bits (turn_bits) leave byte b of word i to cell 8 b + i, and so do directions that are kept; what
-// comes of a byte of word i is bit i of the new cells. Same bits as lib/stencil/steer.cpp. SPDX-License-Identifier: MIT
+// comes of a byte of word i is bit i of the new cells. Same bits as lib/stencil/steer.cpp.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "../../lib/stencil/steer.hpp"
 #include "strip_rows.hpp"
