@@ -48,15 +48,13 @@ static void eight_of(const grid::Rows& rows) {
 void eight_wide_row(const grid::Rows& rows) { eight_of<int32_t, 6>(rows); }
 void eight_narrow_row(const grid::Rows& rows) { eight_of<int16_t, 0>(rows); }
 
-template <class T, uint8_t cut>
-static void shared(int32_t* DAPPLE_RESTRICT sums, const T* DAPPLE_RESTRICT shares, uint16_t n) {
-  constexpr uint8_t shift = 9 - cut;
-  for (uint16_t x = 0; x < n; ++x)
-    sums[x] = (((sums[x] + ((1 << cut) >> 1)) >> cut) * shares[x] + (1 << (shift - 1))) >> shift;
-}
-void share_sums(int32_t* sums, const void* shares, bool wide, uint16_t n) {
-  if (wide) shared<int32_t, 6>(sums, static_cast<const int32_t*>(shares), n);
-  else shared<int16_t, 0>(sums, static_cast<const int16_t*>(shares), n);
+void share_sums(int32_t* DAPPLE_RESTRICT sums, const void* shares, bool wide, uint16_t n) {
+  const uint8_t cut = wide ? 6 : 0, shift = static_cast<uint8_t>(9 - cut);
+  const int32_t half = (1 << cut) >> 1, rest = 1 << (shift - 1);
+  for (uint16_t x = 0; x < n; ++x) {
+    const int32_t share = wide ? static_cast<const int32_t*>(shares)[x] : static_cast<const int16_t*>(shares)[x];
+    sums[x] = (((sums[x] + half) >> cut) * share + rest) >> shift;
+  }
 }
 
 // --- Along a map ---
