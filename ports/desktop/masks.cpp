@@ -226,7 +226,9 @@ void Masks::turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool 
 void Masks::strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning) {
   const Grid &from = world == turned ? turned_now_ : now_, &to = world == turned ? turned_next_ : next_;
   const int16_t threshold = stencil::threshold_of(run.sweep.p[1], given(run).sum);
-  const stencil::Strip strip = {&world_[world], from.bits, to.bits.rows, add, threshold, first, end, leaning};
+  const uint16_t margin = run.sweep.margin, right = static_cast<uint16_t>(from.bits.width - margin);
+  const stencil::Strip strip = {&world_[world], from.bits, to.bits.rows, add,   threshold,
+                                first,          end,       margin,       right, leaning};
   grid::Rows call{};
   call.in[0] = &strip;
   strip_row_(call);

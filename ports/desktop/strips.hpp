@@ -44,7 +44,8 @@ struct Strip {
   bool add;           // to the cells that are on there
   int16_t threshold;  // D > threshold
   uint16_t first, end;
-  uint8_t* leaning;  // room for rows first .. end - 1 of a world that leans
+  uint16_t left, right;  // cells of a row that are wanted, left .. right - 1; where a world leans, all are made
+  uint8_t* leaning;      // room for rows first .. end - 1 of a world that leans
 };
 
 // in[0]: a Strip.
