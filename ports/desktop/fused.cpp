@@ -9,8 +9,8 @@ namespace dapple::desktop {
 
 constexpr size_t kCache = 320 * 1024;  // bytes that may be on the move at a time
 constexpr size_t kVector = 32, kGroup = 16;
-constexpr size_t kBeyond = 64;                            // kernels read beyond a row
-constexpr uint32_t kRowsAtOnce = 8, kBytesAtOnce = 8192;  // at most, and about
+constexpr size_t kBeyond = 64;                                                 // kernels read beyond a row
+constexpr uint32_t kRowsAtOnce = 8, kBitRowsAtOnce = 32, kBytesAtOnce = 8192;  // at most, and about
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
 
@@ -54,8 +54,8 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   pitch_ = layout.pitch;
   wide_ = work.wide && !mostly_gaps(field, pitch_);
   plane_ = pitch_ * field.height;
-  at_once_ = static_cast<uint32_t>(
-      std::max(size_t{1}, std::min(size_t{kRowsAtOnce}, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
+  const size_t most = field.cell == grid::Cell::bit ? kBitRowsAtOnce : kRowsAtOnce;
+  at_once_ = static_cast<uint32_t>(std::max(size_t{1}, std::min(most, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
   const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
@@ -77,8 +77,14 @@ static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, 
   return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
 }
 
-// The halos of a row of int16, in groups of eight cells: there is room for them.
+// The halos of a row of int16, in groups of eight cells, for which there is room; and of one of whole bytes.
 static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
+  if (field.cell == grid::Cell::bit && field.width % 8 == 0 && halo <= 8) {
+    const size_t bytes = field.width / 8;
+    row[-1] = row[bytes - 1];
+    row[bytes] = row[0];
+    return;
+  }
   if (field.cell != grid::Cell::int16 || field.width < halo + 8u)
     return grid::wrap_row(field.cell, row, field.width, halo);
   uint8_t* const end = row + size_t{2} * field.width;
