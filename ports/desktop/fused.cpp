@@ -33,14 +33,16 @@ uint8_t* Fused::Layout::first(uint8_t* memory) const {
   return memory + (-reinterpret_cast<uintptr_t>(memory) & (kVector - 1)) + before;
 }
 
-// Of one sweep at least; of all of them where rows do not become longer by more than an eighth.
+// Of one sweep at least; of all of them where rows do not become longer by more than an eighth, or by a sixteenth where
+// sweeps want but one cell.
 uint16_t Fused::widest_halo(const evolve::Field& field, const Work& work) const {
   uint32_t most = work.halo, all = 0;
   for (size_t i = 0; i < work.count; ++i) {
     most = std::max(most, uint32_t{work.sweep[i].halo});
     all += work.sweep[i].halo;
   }
-  return static_cast<uint16_t>(work.wide ? std::max(most, std::min(all, field.width / 16u)) : most);
+  const uint32_t share = most == 1 ? 32 : 16;
+  return static_cast<uint16_t>(work.wide ? std::max(most, std::min(all, field.width / share)) : most);
 }
 
 // Whether more than a third of several rows as one would be what lies between them.
