@@ -45,7 +45,7 @@ class Masks {
   bool leans() const { return world_[right].masks + world_[left].masks > 0; }
   void one_step(const evolve::Run& run, Crew* crew);
   void strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning);
-  void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool add);
+  void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, uint16_t margin, bool add);
 
   std::vector<int8_t> weights_;  // of all masks, that the worlds were made for
   bool over_ = false;            // the grid is kept turned over

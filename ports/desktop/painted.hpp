@@ -63,8 +63,7 @@ constexpr uint8_t kFirst = 0, kScale = 1, kFrom = 2, kStep = 5, kParts = 8;
 static void parts_of(const Shader& s, uint8_t k, int16_t* part) {
   const Stretch& stretch = s.stretch[k];
   const int32_t width = k + 1 < s.stops ? s.stretch[k + 1].at - stretch.at : 0;
-  uint8_t shift = 0;
-  while (shift < 8 && width > 0 && (32 * width) << shift <= 32768) ++shift;
+  const int shift = width == 0 ? 0 : width <= 8 ? 8 : __builtin_clz(static_cast<unsigned>(width - 1)) - 21;
   part[kFirst] = static_cast<int16_t>(16 * stretch.at);
   part[kScale] = static_cast<int16_t>(1 << shift);
   for (uint8_t c = 0; c < 3; ++c) {

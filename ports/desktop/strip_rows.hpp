@@ -321,7 +321,7 @@ static void turn_block(W* word) {
 template <class W>
 static void turn_words(const Turning& t) {
   for (uint32_t y = t.first; y < t.end; y += 64)
-    for (uint32_t x = 0; x < t.width; x += 8 * sizeof(W)) {
+    for (uint32_t x = t.left; x < t.right; x += 8 * sizeof(W)) {
       W word[64];
       for (uint32_t k = 0; k < 64; ++k) get_word(t.from + (y + k) * t.pitch + x / 8, word[k]);
       turn_block(word);
