@@ -14,6 +14,10 @@ constexpr uint32_t kRowsAtOnce = 8, kBitRowsAtOnce = 32, kBytesAtOnce = 8192;  /
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
 
+// At least so many bytes, a share of 4096 beyond a multiple of it: rows of planes and copies that are as far apart as
+// multiples drive each other out of the first cache.
+static size_t staggered(size_t bytes, size_t share) { return (bytes + 4095) / 4096 * 4096 + share * 1088; }
+
 static size_t group_bytes(grid::Cell cell, uint16_t halo) {
   return (grid::halo_bytes(cell, halo) + kGroup - 1) / kGroup * kGroup;
 }
@@ -55,10 +59,10 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   const Layout layout = layout_of(field, halo_, work.wide);
   pitch_ = layout.pitch;
   wide_ = work.wide && !mostly_gaps(field, pitch_);
-  plane_ = pitch_ * field.height;
+  plane_ = staggered(pitch_ * field.height, 1);
   const size_t most = field.cell == grid::Cell::bit ? kBitRowsAtOnce : kRowsAtOnce;
   at_once_ = static_cast<uint32_t>(std::max(size_t{1}, std::min(most, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
-  const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
+  const size_t buffer = staggered(layout.bytes(0) + plane_ * work.sweep[0].count, 2), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
     std::memset(memory_.get(), 0, wanted);
