@@ -5,15 +5,14 @@
 
 namespace dapple::start {
 
-template <class T> static void fill(T* row, uint16_t width, int32_t value) {
-  for (uint16_t x = 0; x < width; ++x) row[x] = static_cast<T>(value);
-}
+// Compilers make no vectors of set_cell.
 void clear_row(const Place& place, const Levels& levels, void* row) {
-  switch (place.cell) {  // not set_cell, of which compilers make no vectors
-    case grid::Cell::bit: fill(static_cast<uint8_t*>(row), static_cast<uint16_t>((place.width + 7u) / 8), levels.background != 0 ? 255 : 0); break;
-    case grid::Cell::int16: fill(static_cast<int16_t*>(row), place.width, levels.background); break;
-    case grid::Cell::int32: fill(static_cast<int32_t*>(row), place.width, levels.background); break;
+  if (place.cell == grid::Cell::int16 && !base::kSmallCode) {
+    int16_t* const cells = static_cast<int16_t*>(row);
+    for (uint16_t x = 0; x < place.width; ++x) cells[x] = static_cast<int16_t>(levels.background);
+    return;
   }
+  for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
 }
 
 // Cells first..last of the world that lie in this row.
@@ -47,27 +46,28 @@ void fill_chord(const Place& place, int64_t centre_x, int64_t half, int32_t valu
 }
 
 // The lattice places first..last along one direction whose discs may reach the stretch at..to of the plane or, as they
-// repeat after `count` of them, of a torus of size `size`; all in 1/256 cell. A place is off its spacing by less than one
-// (odd rows of discs stand half a place further).
+// repeat after `count` of them, of a torus of size `size`; all in 1/256 cell. A disc stands less than two spacings beyond
+// its place: one that it is moved by, and less than one within it.
 struct Span {
-  int64_t first, last;
+  int32_t first, last;
 };
-static Span near(int64_t at, int64_t to, int64_t size, int64_t count, int64_t radius, int32_t jitter) {
-  const int64_t spacing = size / count + 1, around = radius + spacing * jitter / base::kMicro + spacing;
-  return {floor_divide((at - around) * count, size), floor_divide((to + around) * count, size)};
+static Span near(int64_t at, int64_t to, int64_t size, int64_t count, int64_t radius) {
+  const int64_t around = radius + 2 * (size / count + 1);
+  return {static_cast<int32_t>(floor_divide((at - around) * count, size)),
+          static_cast<int32_t>(floor_divide((to + around) * count, size))};
 }
 
 // The discs of row j of the lattice, seen in the row of cells whose centre line is y (1/256 cell).
-static void discs_row(const Place& place, const Start& start, const DiscGrid& discs, Span columns, int32_t j, int64_t y, int32_t value,
-                      void* row) {
+static void discs_row(const Place& place, const Start& start, const DiscGrid& discs, Span columns, int32_t j, int64_t y,
+                      int32_t value, void* row) {
   const int64_t down = place.plane ? 1 : discs.rows, across = place.plane ? 1 : discs.columns;
   const int64_t row_y = floor_divide((2 * static_cast<int64_t>(j) + 1) * discs.high, 2 * down);
-  const base::RowKey key_x = base::row_key(place.seed, kJitterX, j), key_y = base::row_key(place.seed, kJitterY, j);
-  for (int32_t i = static_cast<int32_t>(columns.first); i <= columns.last; ++i) {
-    const int64_t half = half_chord(place, start, discs.high, row_y + shake(base::hash(key_y, i), start.jitter, discs.high / down), y);
+  for (int32_t i = columns.first; i <= columns.last; ++i) {
+    const int64_t centre_y = row_y + shake(base::hash(place.seed, kJitterY, i, j), start.jitter, discs.high / down);
+    const int64_t half = half_chord(place, start, discs.high, centre_y, y);
     if (half < 0) continue;
     const int64_t centre_x = floor_divide((4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * discs.wide, 4 * across) +
-                             shake(base::hash(key_x, i), start.jitter, discs.wide / across);
+                             shake(base::hash(place.seed, kJitterX, i, j), start.jitter, discs.wide / across);
     fill_chord(place, centre_x, half, value, row);
   }
 }
@@ -76,14 +76,14 @@ void seeds_row(const Place& place, const Start& start, const Levels& levels, uin
   clear_row(place, levels, row);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
-  const int64_t left = static_cast<int64_t>(place.x) * 256, radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;
+  const int64_t left = static_cast<int64_t>(place.x) * 256, radius = cells(place, start.radius);
   const int32_t value = disc_level(start, levels);
-  Span rows = near(at, at, discs.high, place.plane ? 1 : discs.rows, radius, start.jitter);
+  Span rows = near(at, at, discs.high, place.plane ? 1 : discs.rows, radius);
   Span columns = {0, discs.columns - 1};
-  if (place.plane) columns = near(left, left + place.width * INT64_C(256), discs.wide, 1, radius, start.jitter);
+  if (place.plane) columns = near(left, left + place.width * INT64_C(256), discs.wide, 1, radius);
   else if (rows.last - rows.first >= discs.rows) rows = {0, discs.rows - 1};
-  for (int64_t k = rows.first; k <= rows.last; ++k)
-    discs_row(place, start, discs, columns, world(static_cast<int32_t>(k), discs.rows, place.plane), at, value, row);
+  for (int32_t k = rows.first; k <= rows.last; ++k)
+    discs_row(place, start, discs, columns, world(k, discs.rows, place.plane), at, value, row);
 }
 
 }  // namespace dapple::start

@@ -1,6 +1,6 @@
 // The row kernels of lib/, and of fluxed.hpp and strips.hpp, that every set has a faster one for:
-// ROW(set, namespace, portable kernel, the set's own). They are looked up from the top: those asked for at every row are
-// there.
+// ROW(set, namespace, portable kernel, the set's own). They are looked up from the top: what is asked for at every row
+// is there.
 // SPDX-License-Identifier: MIT
 #pragma once
 

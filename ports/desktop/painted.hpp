@@ -45,7 +45,7 @@ static void short_places(const Shader& s, const int16_t* DAPPLE_RESTRICT here, i
 }
 
 static void places(const Shader& s, const int16_t* here, int16_t* at) {
-  const bool fits = s.span > 4080 && s.span <= 32768 && s.low >= -32768 && s.low <= 32767 - s.span;
+  const bool fits = !base::kSmallCode && s.span > 4080 && s.span <= 32768 && s.low >= -32768 && s.low <= 32767 - s.span;
   (fits ? short_places : any_places)(s, here, at);
 }
 

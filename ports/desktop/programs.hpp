@@ -10,7 +10,7 @@ using stencil::Lanes;
 using stencil::load_lanes;
 
 constexpr uint8_t kLeaves = 16;
-constexpr size_t kBlock = 16 * sizeof(Lanes);  // bytes
+constexpr size_t kBlock = (base::kSmallCode ? 4 : 16) * sizeof(Lanes);  // bytes
 
 // What does not depend on the cell.
 struct Constant {
@@ -97,8 +97,9 @@ static void window_wide(const grid::Rows& rows) {
       stencil::put_word(leaves.self[1] + w, stencil::Wide(~self));
     }
     size_t w = 0;
-    for (; w + sizeof(Lanes) < count; w += sizeof(Two)) evaluate<Two>(rows, leaves, at, w);
-    if (w < count) evaluate<Lanes>(rows, leaves, at, w);
+    if constexpr (!base::kSmallCode)
+      for (; w + sizeof(Lanes) < count; w += sizeof(Two)) evaluate<Two>(rows, leaves, at, w);
+    for (; w < count; w += sizeof(Lanes)) evaluate<Lanes>(rows, leaves, at, w);
   }
 }
 
