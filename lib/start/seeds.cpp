@@ -46,8 +46,8 @@ void fill_chord(const Place& place, int64_t centre_x, int64_t half, int32_t valu
 }
 
 // The lattice places first..last along one direction whose discs may reach the stretch at..to of the plane or, as they
-// repeat after `count` of them, of a torus of size `size`; all in 1/256 cell. A disc stands less than two spacings beyond
-// its place: one that it is moved by, and less than one within it.
+// repeat after `count` of them, of a torus of size `size`; all in 1/256 cell. A disc stands less than two spacings
+// beyond its place: one that it is moved by, and less than one within it.
 struct Span {
   int32_t first, last;
 };
