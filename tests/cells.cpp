@@ -224,9 +224,13 @@ TEST_CASE("cells: noise is the bits of the hash, thirty-two cells a number") {
 
 // Discs at ((i + 1/4 + 1/2 (j odd)) + jitter U) * spacing and so on, in double: cells near a disc's edge may be either.
 TEST_CASE("cells: seeds are the discs of the jittered grid, on torus and plane") {
-  const double pitch = 17.3, aspect = 0.875, jitter = 0.2, radius = 4.2;
-  for (const dapple::Domain d : {dapple::torus(150, 90), dapple::torus(64, 123), dapple::window(-300, 40, 160, 120)}) {
-    Recipe recipe = tests::recipe_of("cells start=seeds pitch=17.3 aspect=.875 jitter=.2 radius=4.2 steps=0");
+  const double pitch = 17.3, aspect = 0.875;
+  const auto compare = [&](const char* jitter_text, const char* radius_text, const dapple::Domain& d) {
+    const double jitter = std::stod(jitter_text), radius = std::stod(radius_text);
+    CAPTURE(jitter);
+    CAPTURE(radius);
+    const std::string numbers = std::string(" jitter=") + jitter_text + " radius=" + radius_text;
+    Recipe recipe = tests::recipe_of(("cells start=seeds pitch=17.3 aspect=.875 steps=0" + numbers).c_str());
     const Torus have = grown(recipe, d);
     const double columns = std::round(d.width / pitch), rows = 2 * std::round(d.height / (2 * pitch * aspect));
     const double wide = d.plane ? pitch : d.width / columns, high = d.plane ? pitch * aspect : d.height / rows;
@@ -251,6 +255,12 @@ TEST_CASE("cells: seeds are the discs of the jittered grid, on torus and plane")
       wrong += std::fabs(edge) > 0.03 && have.value[k] != (edge < 0);
     }
     CHECK(wrong == 0);
-    CHECK(have.count() > d.width * d.height / 8);
+    CHECK(have.count() > (radius > 1 ? d.width * d.height / 8 : 0));
+  };
+  for (const dapple::Domain& d : {dapple::torus(150, 90), dapple::torus(64, 123), dapple::window(-300, 40, 160, 120)}) {
+    compare("0.2", "4.2", d);
+    compare("1", "4.2", d);
+    compare("1", "0.6", d);
+    compare("0.5", "13", d);
   }
 }

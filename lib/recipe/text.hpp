@@ -246,14 +246,15 @@ constexpr bool take_places(Reader& r, Word all, Stage& stage) {
   if (stage.entry == Entry::start && start.kind == Start::segments)
     start.row = map ? evolve::segments_along_row : start::segments_row;
   if (!grade || stage.level > 0) return true;
-  Stage shortest = stage;
-  const int32_t share = stage.number[along::finest];
-  shortest.number[kinetics::scale] = times(stage.number[kinetics::scale], share, base::kMicro);
-  const Bound bound = stage.model->bound(shortest.number, 0);
-  if (bound.slot != kinetics::scale || within(shortest.number[kinetics::scale], bound.low, bound.high)) return true;
-  const int32_t least = static_cast<int32_t>((static_cast<int64_t>(bound.low) * base::kMicro + share - 1) / share);
-  fail(r, unstable, all, least, INT32_MAX, false, name_at(*r.family, kinetics::scale));
-  r.trouble.value = stage.number[kinetics::scale];
+  int32_t& scale = stage.number[kinetics::scale];
+  const int32_t longest = scale, share = stage.number[along::finest];
+  scale = times(longest, share, base::kMicro);
+  const Bound bound = stage.model->bound(stage.number, 0);
+  const bool coarse = bound.slot == kinetics::scale && scale < bound.low;
+  scale = longest;
+  if (!coarse) return true;
+  fail(r, unstable, all, times(bound.low, base::kMicro, share), INT32_MAX, false, name_at(*r.family, kinetics::scale));
+  r.trouble.value = longest;
   return false;
 }
 

@@ -5,7 +5,13 @@
 
 namespace dapple::start {
 
+// Compilers make no vectors of set_cell.
 void clear_row(const Place& place, const Levels& levels, void* row) {
+  if (place.cell == grid::Cell::int16 && !base::kSmallCode) {
+    int16_t* const cells = static_cast<int16_t*>(row);
+    for (uint16_t x = 0; x < place.width; ++x) cells[x] = static_cast<int16_t>(levels.background);
+    return;
+  }
   for (uint16_t x = 0; x < place.width; ++x) set_cell(place, row, x, levels.background);
 }
 
@@ -39,41 +45,45 @@ void fill_chord(const Place& place, int64_t centre_x, int64_t half, int32_t valu
   fill_span(place, row, (centre_x - half - 128 + 255) >> 8, (centre_x + half - 128) >> 8, value);
 }
 
-// A disc of lattice place (i, j), seen in the row of cells whose centre line is y (1/256 cell).
-static void disc_row(const Place& place, const Start& start, const DiscGrid& discs, int32_t i, int32_t j, int64_t y, int32_t value, void* row) {
-  const int64_t rows = place.plane ? 1 : discs.rows, columns = place.plane ? 1 : discs.columns;
-  const int64_t centre_y = floor_divide((2 * static_cast<int64_t>(j) + 1) * discs.high, 2 * rows) +
-                           shake(base::hash(place.seed, kJitterY, i, j), start.jitter, discs.high / rows);
-  const int64_t half = half_chord(place, start, discs.high, centre_y, y);
-  if (half < 0) return;
-  const int64_t centre_x = floor_divide((4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * discs.wide, 4 * columns) +
-                           shake(base::hash(place.seed, kJitterX, i, j), start.jitter, discs.wide / columns);
-  fill_chord(place, centre_x, half, value, row);
-}
-
-// The lattice places whose discs may reach the stretch from..to (1/256 cells) of the plane.
+// The lattice places first..last along one direction whose discs may reach the stretch at..to of the plane or, as they
+// repeat after `count` of them, of a torus of size `size`; all in 1/256 cell. A disc stands less than two spacings
+// beyond its place: one that it is moved by, and less than one within it.
 struct Span {
   int32_t first, last;
 };
-static Span near(int64_t from, int64_t to, int64_t spacing, int64_t radius, int32_t jitter) {
-  const int64_t around = radius + spacing * jitter / base::kMicro + spacing;
-  return {static_cast<int32_t>(floor_divide(from - around, spacing)), static_cast<int32_t>(floor_divide(to + around, spacing))};
+static Span near(int64_t at, int64_t to, int64_t size, int64_t count, int64_t radius) {
+  const int64_t around = radius + 2 * (size / count + 1);
+  return {static_cast<int32_t>(floor_divide((at - around) * count, size)),
+          static_cast<int32_t>(floor_divide((to + around) * count, size))};
+}
+
+// The discs of row j of the lattice, seen in the row of cells whose centre line is y (1/256 cell).
+static void discs_row(const Place& place, const Start& start, const DiscGrid& discs, Span columns, int32_t j, int64_t y,
+                      int32_t value, void* row) {
+  const int64_t down = place.plane ? 1 : discs.rows, across = place.plane ? 1 : discs.columns;
+  const int64_t row_y = floor_divide((2 * static_cast<int64_t>(j) + 1) * discs.high, 2 * down);
+  for (int32_t i = columns.first; i <= columns.last; ++i) {
+    const int64_t centre_y = row_y + shake(base::hash(place.seed, kJitterY, i, j), start.jitter, discs.high / down);
+    const int64_t half = half_chord(place, start, discs.high, centre_y, y);
+    if (half < 0) continue;
+    const int64_t centre_x = floor_divide((4 * static_cast<int64_t>(i) + 1 + 2 * (j & 1)) * discs.wide, 4 * across) +
+                             shake(base::hash(place.seed, kJitterX, i, j), start.jitter, discs.wide / across);
+    fill_chord(place, centre_x, half, value, row);
+  }
 }
 
 void seeds_row(const Place& place, const Start& start, const Levels& levels, uint8_t, uint16_t y, void* row) {
   clear_row(place, levels, row);
   const DiscGrid discs = disc_grid(start, place);
   const int64_t at = static_cast<int64_t>(world(place.y + y, place.height, place.plane)) * 256 + 128;
+  const int64_t left = static_cast<int64_t>(place.x) * 256, radius = cells(place, start.radius);
   const int32_t value = disc_level(start, levels);
-  Span rows = {0, discs.rows - 1}, columns = {0, discs.columns - 1};
-  if (place.plane) {
-    const int64_t radius = static_cast<int64_t>(start.radius) * 256 / base::kMicro;
-    const int64_t left = static_cast<int64_t>(place.x) * 256;
-    rows = near(at, at, discs.high, radius, start.jitter);
-    columns = near(left, left + place.width * INT64_C(256), discs.wide, radius, start.jitter);
-  }
-  for (int32_t j = rows.first; j <= rows.last; ++j)
-    for (int32_t i = columns.first; i <= columns.last; ++i) disc_row(place, start, discs, i, j, at, value, row);
+  Span rows = near(at, at, discs.high, place.plane ? 1 : discs.rows, radius);
+  Span columns = {0, discs.columns - 1};
+  if (place.plane) columns = near(left, left + place.width * INT64_C(256), discs.wide, 1, radius);
+  else if (rows.last - rows.first >= discs.rows) rows = {0, discs.rows - 1};
+  for (int32_t k = rows.first; k <= rows.last; ++k)
+    discs_row(place, start, discs, columns, world(k, discs.rows, place.plane), at, value, row);
 }
 
 }  // namespace dapple::start

@@ -7,6 +7,7 @@
 
 #include "../../lib/evolve/kinetics.hpp"
 #include "../../lib/model/cells.hpp"
+#include "../../lib/model/gray_scott.hpp"
 #include "../../lib/stencil/flux.hpp"
 #include "../../lib/stencil/lattice.hpp"
 
@@ -172,6 +173,11 @@ static bool takes_window(const evolve::Run& run) {
   return next == &evolve::direct_next && run.model.window == &cells::window_row;
 }
 
+// Gray-Scott's kernel of such a step knows nothing but rows and numbers.
+static bool is_gray_scott(const evolve::Run& run) {
+  return run.solver.next == &evolve::kinetic_next && run.model.react == &gray_scott::react_row;
+}
+
 // Steps of one sweep over all planes whose kernel knows nothing of the row before: as many as the stage has left and
 // the rows allow.
 static bool can_flow(const evolve::Run& run, const evolve::Reach& reach) {
@@ -193,7 +199,8 @@ uint32_t Driver::many_at_once(evolve::Run& run) {
   const auto plane = [&](uint8_t i) { return evolve::row_of(field, static_cast<uint8_t>(first + i), 0); };
   before_.resize(bytes * planes);
   for (uint8_t i = 0; i < planes; ++i) std::memcpy(&before_[i * bytes], plane(i), bytes);
-  fused_[0].run(field, {sweeps_.data(), sweeps_.size(), field.cell == grid::Cell::bit, false, run.table, field.scratch});
+  const bool many_rows = field.cell == grid::Cell::bit || is_gray_scott(run);
+  fused_[0].run(field, {sweeps_.data(), sweeps_.size(), many_rows, is_gray_scott(run), run.table, field.scratch});
   for (uint8_t i = 0; i < planes; ++i)
     if (std::memcmp(&before_[i * bytes], plane(i), bytes) != 0) return 0;
   return same_steps(sweeps_, sweeps_.front()) ? static_cast<uint32_t>(sweeps_.size()) : 0;

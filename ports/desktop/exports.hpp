@@ -1,9 +1,13 @@
 // The row kernels of lib/, and of fluxed.hpp and strips.hpp, that every set has a faster one for:
-// ROW(set, namespace, portable kernel, the set's own).
+// ROW(set, namespace, portable kernel, the set's own). They are looked up from the top: what is asked for at every row
+// is there.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #define DAPPLE_ROWS(ROW, set)                                 \
+  ROW(set, paint, job_row, painted_row)                       \
+  ROW(set, stencil, field_row, field_wide)                    \
+  ROW(set, stencil, field_stored, field_stored_wide)          \
   ROW(set, stencil, pass_row, pass_row)                       \
   ROW(set, stencil, chain_row, chain_row)                     \
   ROW(set, stencil, five_row, five_row)                       \
@@ -26,8 +30,6 @@
   ROW(set, stencil, steer_strip_row, steer_strip_wide)        \
   ROW(set, stencil, convolve_lean, lean_wide)                 \
   ROW(set, stencil, convolve_stored, stored_wide)             \
-  ROW(set, stencil, field_row, field_wide)                    \
-  ROW(set, stencil, field_stored, field_stored_wide)          \
   ROW(set, stencil, steer_row, steer_wide)                    \
   ROW(set, stencil, steer_field, steer_field_wide)            \
   ROW(set, threshold, impulse_row, impulse_row)               \
@@ -43,6 +45,5 @@
   ROW(set, fitzhugh_nagumo, react_row, react_row)             \
   ROW(set, schnakenberg, react_row, react_row)                \
   ROW(set, brusselator, react_row, react_row)                 \
-  ROW(set, paint, job_row, painted_row)                       \
   ROW(set, cells, window_row, window_wide)                    \
   ROW(set, cells, field_row, field_row)

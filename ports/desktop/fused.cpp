@@ -9,10 +9,14 @@ namespace dapple::desktop {
 
 constexpr size_t kCache = 320 * 1024;  // bytes that may be on the move at a time
 constexpr size_t kVector = 32, kGroup = 16;
-constexpr size_t kBeyond = 64;                            // kernels read beyond a row
-constexpr uint32_t kRowsAtOnce = 8, kBytesAtOnce = 8192;  // at most, and about
+constexpr size_t kBeyond = 64;                                                 // kernels read beyond a row
+constexpr uint32_t kRowsAtOnce = 8, kBitRowsAtOnce = 32, kBytesAtOnce = 8192;  // at most, and about
 
 static size_t rounded_up(size_t bytes) { return (bytes + kVector - 1) / kVector * kVector; }
+
+// At least so many bytes, a share of 4096 beyond a multiple of it: rows of planes and copies that are as far apart as
+// multiples drive each other out of the first cache.
+static size_t staggered(size_t bytes, size_t share) { return (bytes + 4095) / 4096 * 4096 + share * 1088; }
 
 static size_t group_bytes(grid::Cell cell, uint16_t halo) {
   return (grid::halo_bytes(cell, halo) + kGroup - 1) / kGroup * kGroup;
@@ -33,14 +37,16 @@ uint8_t* Fused::Layout::first(uint8_t* memory) const {
   return memory + (-reinterpret_cast<uintptr_t>(memory) & (kVector - 1)) + before;
 }
 
-// Of one sweep at least; of all of them where rows do not become longer by more than an eighth.
+// Of one sweep at least; of all of them where rows do not become longer by more than an eighth, or by a sixteenth where
+// sweeps want but one cell.
 uint16_t Fused::widest_halo(const evolve::Field& field, const Work& work) const {
   uint32_t most = work.halo, all = 0;
   for (size_t i = 0; i < work.count; ++i) {
     most = std::max(most, uint32_t{work.sweep[i].halo});
     all += work.sweep[i].halo;
   }
-  return static_cast<uint16_t>(work.wide ? std::max(most, std::min(all, field.width / 16u)) : most);
+  const uint32_t share = most == 1 ? 32 : 16;
+  return static_cast<uint16_t>(work.wide ? std::max(most, std::min(all, field.width / share)) : most);
 }
 
 // Whether more than a third of several rows as one would be what lies between them.
@@ -53,10 +59,10 @@ void Fused::lay_out(const evolve::Field& field, const Work& work) {
   const Layout layout = layout_of(field, halo_, work.wide);
   pitch_ = layout.pitch;
   wide_ = work.wide && !mostly_gaps(field, pitch_);
-  plane_ = pitch_ * field.height;
-  at_once_ = static_cast<uint32_t>(
-      std::max(size_t{1}, std::min(size_t{kRowsAtOnce}, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
-  const size_t buffer = layout.bytes(size_t{field.height} * work.sweep[0].count), wanted = 2 * buffer;
+  plane_ = staggered(pitch_ * field.height, 1);
+  const size_t most = field.cell == grid::Cell::bit ? kBitRowsAtOnce : kRowsAtOnce;
+  at_once_ = static_cast<uint32_t>(std::max(size_t{1}, std::min(most, kBytesAtOnce / (pitch_ * work.sweep[0].count))));
+  const size_t buffer = staggered(layout.bytes(0) + plane_ * work.sweep[0].count, 2), wanted = 2 * buffer;
   if (bytes_ < wanted) {
     memory_.reset(new uint8_t[wanted]);
     std::memset(memory_.get(), 0, wanted);
@@ -77,8 +83,14 @@ static uint32_t in_one_go(const evolve::Field& field, size_t pitch, uint32_t y, 
   return std::min(height - std::max(y, std::max(before, behind)), UINT32_C(65535) / cells);
 }
 
-// The halos of a row of int16, in groups of eight cells: there is room for them.
+// The halos of a row of int16, in groups of eight cells, for which there is room; and of one of whole bytes.
 static void wrap(const evolve::Field& field, uint8_t* row, uint16_t halo) {
+  if (field.cell == grid::Cell::bit && field.width % 8 == 0 && halo <= 8) {
+    const size_t bytes = field.width / 8;
+    row[-1] = row[bytes - 1];
+    row[bytes] = row[0];
+    return;
+  }
   if (field.cell != grid::Cell::int16 || field.width < halo + 8u)
     return grid::wrap_row(field.cell, row, field.width, halo);
   uint8_t* const end = row + size_t{2} * field.width;

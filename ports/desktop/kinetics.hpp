@@ -8,13 +8,15 @@ namespace dapple::evolve {
 using base::mulhi;
 using i16 = int16_t;
 
+// fed: u = 1 and the rounding of what it is fed.
 struct Rates {
-  i16 u, u_rounding, v, v_rounding, feed, feed_rounding, drain, drain_rounding;
+  i16 u, u_rounding, v, v_rounding, feed, fed, drain, drain_rounding;
 };
 static Rates rates_of(const grid::Rows& rows) {
   const int32_t *t = rows.table, *p = rows.p;
-  return {static_cast<i16>(t[0]), static_cast<i16>(t[1]), static_cast<i16>(t[3]), static_cast<i16>(t[4]),
-          static_cast<i16>(p[0]), static_cast<i16>(p[1]), static_cast<i16>(p[2]), static_cast<i16>(p[3])};
+  return {static_cast<i16>(t[0]), static_cast<i16>(t[1]), static_cast<i16>(t[3]),
+          static_cast<i16>(t[4]), static_cast<i16>(p[0]), static_cast<i16>(gray_scott::kOne + p[1]),
+          static_cast<i16>(p[2]), static_cast<i16>(p[3])};
 }
 
 // Formats and bounds are those of the two portable kernels.
@@ -25,14 +27,14 @@ static void gray_scott_cells(const i16* DAPPLE_RESTRICT uu, const i16* DAPPLE_RE
                              i16* DAPPLE_RESTRICT out_v, uint16_t n, Rates w) {
   for (uint16_t x = 0; x < n; ++x) {
     const i16 u2 = static_cast<i16>(2 * u[x]), v2 = static_cast<i16>(2 * v[x]);
-    const i16 lap_u = static_cast<i16>(mulhi(static_cast<i16>(ul[x] + ur[x] - u2 + w.u_rounding), w.u) +
-                                       mulhi(static_cast<i16>(uu[x] + ud[x] - u2 + w.u_rounding), w.u));
-    const i16 lap_v = static_cast<i16>(mulhi(static_cast<i16>(vl[x] + vr[x] - v2 + w.v_rounding), w.v) +
-                                       mulhi(static_cast<i16>(vu[x] + vd[x] - v2 + w.v_rounding), w.v));
+    const i16 less_u = static_cast<i16>(w.u_rounding - u2), less_v = static_cast<i16>(w.v_rounding - v2);
+    const i16 lap_u = static_cast<i16>(mulhi(static_cast<i16>(ul[x] + ur[x] + less_u), w.u) +
+                                       mulhi(static_cast<i16>(uu[x] + ud[x] + less_u), w.u));
+    const i16 lap_v = static_cast<i16>(mulhi(static_cast<i16>(vl[x] + vr[x] + less_v), w.v) +
+                                       mulhi(static_cast<i16>(vu[x] + vd[x] + less_v), w.v));
     const i16 q = mulhi(v2, v2);
     const i16 z = mulhi(static_cast<i16>(2 * q + 2), u2);
-    out_u[x] =
-        static_cast<i16>(u[x] + lap_u - z + mulhi(static_cast<i16>(gray_scott::kOne - u[x] + w.feed_rounding), w.feed));
+    out_u[x] = static_cast<i16>(u[x] + lap_u - z + mulhi(static_cast<i16>(w.fed - u[x]), w.feed));
     out_v[x] = static_cast<i16>(v[x] + lap_v + z - mulhi(static_cast<i16>(v[x] + w.drain_rounding), w.drain));
   }
 }

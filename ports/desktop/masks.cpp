@@ -222,11 +222,11 @@ void Masks::load(const evolve::Field& field) {
   const stencil::BitGrid& to = over_ ? turned_now_.bits : now_.bits;
   for (uint16_t y = 0; y < field.height; ++y)
     std::memcpy(to.rows + to.pitch * y, evolve::row_of(field, 0, y), field.row_bytes);
-  if (over_) turn(turned_now_, now_, 0, field.height, false);
+  if (over_) turn(turned_now_, now_, 0, field.height, 0, false);
 }
 
 void Masks::store(const evolve::Field& field) {
-  if (over_) turn(now_, turned_now_, 0, field.width, false);
+  if (over_) turn(now_, turned_now_, 0, field.width, 0, false);
   const stencil::BitGrid& from = over_ ? turned_now_.bits : now_.bits;
   for (uint16_t y = 0; y < field.height; ++y)
     std::memcpy(evolve::row_of(field, 0, y), from.rows + from.pitch * y, field.row_bytes);
@@ -234,9 +234,12 @@ void Masks::store(const evolve::Field& field) {
 
 // --- steps -----------------------------------------------------------------------------------------------------------
 
-void Masks::turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool add) {
-  const stencil::Turning turning = {from.bits.rows, to.bits.rows, from.bits.pitch, to.bits.pitch,
-                                    first,          end,          from.bits.width, add};
+// Of every row the cells within the margin.
+void Masks::turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, uint16_t margin, bool add) {
+  const uint32_t right = from.bits.width - margin, room = static_cast<uint32_t>(rounded_up(from.bits.width, 256));
+  const uint32_t words = (right - (margin & ~63u) + 255) / 256, left = std::min(margin & ~63u, room - 256 * words);
+  const stencil::Turning turning = {from.bits.rows, to.bits.rows, from.bits.pitch, to.bits.pitch, first, end, left,
+                                    right,          add};
   grid::Rows call{};
   call.in[0] = &turning;
   turn_row_(call);
@@ -245,7 +248,9 @@ void Masks::turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool 
 void Masks::strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning) {
   const Grid &from = world == turned ? turned_now_ : now_, &to = world == turned ? turned_next_ : next_;
   const int16_t threshold = stencil::threshold_of(run.sweep.p[1], given(run).sum);
-  const stencil::Strip strip = {&world_[world], from.bits, to.bits.rows, add, threshold, first, end, leaning};
+  const uint16_t margin = run.sweep.margin, right = static_cast<uint16_t>(from.bits.width - margin);
+  const stencil::Strip strip = {&world_[world], from.bits, to.bits.rows, add,   threshold,
+                                first,          end,       margin,       right, leaning};
   grid::Rows call{};
   call.in[0] = &strip;
   strip_row_(call);
@@ -255,7 +260,7 @@ void Masks::steer(const evolve::Run& run, uint16_t first, uint16_t end) {
   const int16_t threshold = stencil::threshold_of(run.sweep.p[1], given(run).sum);
   const uintptr_t memory = reinterpret_cast<uintptr_t>(directions_.data());
   const stencil::Steered steered = {
-      {&world_[upright], now_.bits, next_.bits.rows, false, threshold, first, end, nullptr},
+      {&world_[upright], now_.bits, next_.bits.rows, false, threshold, first, end, 0, run.field.width, nullptr},
       &steer_set(run),
       directions_.data() + (-memory & (kWidest - 1)),
       fresh_};
@@ -295,12 +300,15 @@ void Masks::one_step(const evolve::Run& run, Crew* crew) {
     add = true;
   }
   if (turns) {
-    in_parts(crew, 0, height, 64, [&](uint16_t first, uint16_t end) { turn(now_, turned_now_, first, end, false); });
+    const uint16_t reach = run.domain.plane ? static_cast<uint16_t>(margin - world_[turned].radius) : uint16_t{0};
+    in_parts(crew, static_cast<uint16_t>(reach & ~63u), static_cast<uint16_t>(height - reach), 64,
+             [&](uint16_t first, uint16_t end) { turn(now_, turned_now_, first, end, reach, false); });
     if (!run.domain.plane)
       in_parts(crew, 0, width, 1, [&](uint16_t first, uint16_t end) { turned_now_.go_round(first, end, false); });
     in_parts(crew, margin, static_cast<uint16_t>(width - margin), 1,
              [&](uint16_t first, uint16_t end) { strip(run, turned, first, end, false, nullptr); });
-    in_parts(crew, 0, width, 64, [&](uint16_t first, uint16_t end) { turn(turned_next_, next_, first, end, add); });
+    in_parts(crew, static_cast<uint16_t>(margin & ~63u), static_cast<uint16_t>(width - margin), 64,
+             [&](uint16_t first, uint16_t end) { turn(turned_next_, next_, first, end, margin, add); });
   }
   std::swap(now_, next_);
 }

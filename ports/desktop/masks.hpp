@@ -47,7 +47,7 @@ class Masks {
   void one_step(const evolve::Run& run, Crew* crew);
   void strip(const evolve::Run& run, uint8_t world, uint16_t first, uint16_t end, bool add, uint8_t* leaning);
   void steer(const evolve::Run& run, uint16_t first, uint16_t end);
-  void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, bool add);
+  void turn(const Grid& from, Grid& to, uint16_t first, uint16_t end, uint16_t margin, bool add);
 
   std::vector<int8_t> weights_;  // of all masks, that the worlds were made for
   bool steered_ = false;         // and whether upright ones alone

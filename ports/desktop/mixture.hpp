@@ -78,7 +78,7 @@ DAPPLE_INLINE void turned_sum(const W* sum, W* turned) {
   for (uint8_t k = 0; k < kTurnedWords; ++k) turned[k] = w[k];
 }
 
-// A column after the other; make_directions(s, column, words of its row 0) fills rows first .. end - 1.
+// A column after the other; make_directions(s, its first cell, words of its row 0) fills rows first .. end - 1.
 template <class W>
 static void steer_strip_words(const Steered& s) {
   const Strip& strip = s.strip;
@@ -88,9 +88,9 @@ static void steer_strip_words(const Steered& s) {
   reach<W>(*strip.world, taps);
   uint8_t* const to = strip.to + strip.from.pitch * strip.first;
   W* direction = reinterpret_cast<W*>(s.directions);
-  for (uint32_t column = 0; column < words_of<W>(strip.from.width); ++column) {
+  for (uint32_t column = 0; column < strip.from.width; column += 8 * static_cast<uint32_t>(sizeof(W))) {
     if (s.fresh) make_directions(s, column, direction);
-    strip_column<W>(sums, column, taps.whole, taps.change, to, strip.from.pitch,
+    strip_column<W>(sums, column, strip.end, 0, taps.whole, taps.change, to, strip.from.pitch,
                     [&](const W(*sum)[kSumBits], int32_t y, const uint8_t*) {
                       W turned[kSteerable][kTurnedWords];
                       for (uint8_t m = 0; m < kSteerable; ++m) turned_sum(sum[m], turned[m]);

@@ -37,8 +37,7 @@ static void make_directions(const Steered& s, uint32_t column, Wide* direction) 
   const DirectionField& field = s.set->field;
   Between between;
   Nodes nodes;
-  between_of(field, static_cast<int32_t>(kCellsAtOnce * column), left_of(s.strip.from.width, sizeof(Wide) * column),
-             between);
+  between_of(field, static_cast<int32_t>(column), left_of(s.strip.from.width, column / 8), between);
   for (int32_t y = s.strip.first; y < s.strip.end; ++y)
     turned_directions(field, between, y, nodes, direction + kDirectionWords * static_cast<size_t>(y));
 }

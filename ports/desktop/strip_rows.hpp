@@ -44,6 +44,22 @@ inline void turn_bytes(L* w) {
   exchange_all<1>(w, 8, UINT64_C(0x00ff00ff00ff00ff));
 }
 
+// Where rows are short a word has half of one row and, `apart` bytes further on, half of another; 0: one row's.
+template <class W>
+DAPPLE_INLINE void get_cells(const uint8_t* from, size_t apart, W& word) {
+  if constexpr (sizeof(W) == 32) {
+    if (apart != 0) return get_halves(from, from + apart, word);
+  }
+  get_word(from, word);
+}
+template <class W>
+DAPPLE_INLINE void put_cells(uint8_t* to, size_t apart, W word) {
+  if constexpr (sizeof(W) == 32) {
+    if (apart != 0) return put_halves(to, to + apart, word);
+  }
+  put_word(to, word);
+}
+
 // --- sums ------------------------------------------------------------------------------------------------------------
 
 template <bool minus, class W>
@@ -184,15 +200,15 @@ DAPPLE_INLINE void copy_on(W here, W after, int count, W* copy) {
 
 // Cells x + q of the word at cell x of a row, q = first .. first + columns - 1.
 template <class W>
-DAPPLE_INLINE void copy_shifted(const World& w, const uint8_t* row, uint32_t x, W* copy) {
+DAPPLE_INLINE void copy_shifted(const World& w, const uint8_t* row, uint32_t x, size_t apart, W* copy) {
   const uint8_t* const from = row + (x >> 3);
   const int by = static_cast<int>(x & 7);
   W here, before, after, behind;
-  get_word(from, here);
-  get_word(from - 8, before);
-  get_word(from + 8, after);
+  get_cells(from, apart, here);
+  get_cells(from - 8, apart, before);
+  get_cells(from + 8, apart, after);
   if (by != 0) {
-    get_word(from + 16, behind);
+    get_cells(from + 16, apart, behind);
     before = (before >> by) | (here << (64 - by));
     here = (here >> by) | (after << (64 - by));
     after = (after >> by) | (behind << (64 - by));
@@ -213,9 +229,9 @@ static void begin_copies(const Strip& s, Copies& copies) {
   copies.x = round(static_cast<int64_t>(s.world->lean) * first, s.from.period);
 }
 
-// Copies of rows from `from` on up to the one before `end`, of word `column`.
+// Copies of rows from `from` on up to the one before `end`, of the word at cell `column`.
 template <class W>
-DAPPLE_INLINE void bring(const Strip& s, uint32_t column, int32_t from, int32_t end, Copies& copies) {
+DAPPLE_INLINE void bring(const Strip& s, uint32_t column, size_t apart, int32_t from, int32_t end, Copies& copies) {
   if (end - copies.top > copies.room) {
     const size_t bytes = copies.row * static_cast<size_t>(copies.next - from);
     __builtin_memmove(copies.bytes, copies.bytes + copies.row * static_cast<size_t>(from - copies.top), bytes);
@@ -224,8 +240,7 @@ DAPPLE_INLINE void bring(const Strip& s, uint32_t column, int32_t from, int32_t 
   const BitGrid& grid = s.from;
   for (; copies.next < end; ++copies.next) {
     uint8_t* const at = copies.bytes + copies.row * static_cast<size_t>(copies.next - copies.top);
-    copy_shifted(*s.world, grid.rows + grid.pitch * copies.y, copies.x + 8 * static_cast<uint32_t>(sizeof(W)) * column,
-                 reinterpret_cast<W*>(at));
+    copy_shifted(*s.world, grid.rows + grid.pitch * copies.y, copies.x + column, apart, reinterpret_cast<W*>(at));
     if (++copies.y == grid.height) copies.y = 0;
     if (s.world->lean > 0) copies.x = copies.x + 1 == grid.period ? 0 : copies.x + 1;
     if (s.world->lean < 0) copies.x = copies.x == 0 ? grid.period - 1 : copies.x - 1;
@@ -234,10 +249,11 @@ DAPPLE_INLINE void bring(const Strip& s, uint32_t column, int32_t from, int32_t 
 
 // --- strips ----------------------------------------------------------------------------------------------------------
 
-// A column of words, from the first row to the last: decide(sums, y, out) makes cells of the sums of a row. Sanitizers
-// leave it alone: with a look at every tap it takes minutes to compile.
+// The column of words at a cell, from the first row to the one before `end`: decide(sums, y, out) makes cells of the sums
+// of a row. Sanitizers leave it alone: with a look at every tap it takes minutes to compile.
 template <class W, class Decide>
 __attribute__((no_sanitize("address", "undefined"))) static void strip_column(const Strip& s, uint32_t column,
+                                                                              int32_t end, size_t apart,
                                                                               const Reached* whole,
                                                                               const Reached* change, uint8_t* to,
                                                                               size_t pitch, const Decide& decide) {
@@ -245,9 +261,9 @@ __attribute__((no_sanitize("address", "undefined"))) static void strip_column(co
   Copies copies;
   begin_copies<W>(s, copies);
   W sums[kMaxMasks][kSumBits];
-  for (int32_t y = s.first; y < s.end; ++y, to += pitch) {
+  for (int32_t y = s.first; y < end; ++y, to += pitch) {
     const int32_t before = y > s.first ? y - 1 - w.radius : y - w.radius;
-    bring<W>(s, column, before, y + w.radius + 1, copies);
+    bring<W>(s, column, apart, before, y + w.radius + 1, copies);
     const W* const row =
         reinterpret_cast<const W*>(copies.bytes + copies.row * static_cast<size_t>(before - copies.top));
     for (uint8_t i = 0; i < w.masks; ++i) {
@@ -258,16 +274,16 @@ __attribute__((no_sanitize("address", "undefined"))) static void strip_column(co
         take_all(whole[i].count, whole[i].at, y > s.first ? row + w.columns : row, sums[i]);
       }
     }
-    uint8_t* const out = to + sizeof(W) * column;
-    put_word(out, decide(sums, y, out));
+    uint8_t* const out = to + column / 8;
+    put_cells(out, apart, decide(sums, y, out));
   }
 }
 
 // Cells that one of the masks is for.
 template <class W>
-DAPPLE_INLINE W any_of(const W (*sums)[kSumBits], uint8_t masks, bool add, const uint8_t* out) {
+DAPPLE_INLINE W any_of(const W (*sums)[kSumBits], uint8_t masks, bool add, size_t apart, const uint8_t* out) {
   W cells = 0;
-  if (add) get_word(out, cells);
+  if (add) get_cells(out, apart, cells);
   for (uint8_t i = 0; i < masks; ++i) cells |= ~sums[i][kSumBits - 1];
   return cells;
 }
@@ -310,10 +326,12 @@ static void reach(const World& w, WorldTaps& taps) {
   }
 }
 
-// Words that hold so many cells.
-template <class W>
-constexpr uint32_t words_of(uint32_t cells) {
-  return static_cast<uint32_t>((cells + 8 * sizeof(W) - 1) / (8 * sizeof(W)));
+// Of an upright grid whose rows do not go round, and of which no more than 128 cells of a row are wanted, the lower
+// half of the rows goes beside the upper one: bytes from a row to the one beside it. Of an odd number both have the
+// middle one.
+inline size_t apart_of(const Strip& s, uint32_t cells) {
+  const bool inside = s.first >= s.world->radius && s.end + s.world->radius <= s.from.height;
+  return s.world->lean == 0 && inside && cells <= 128 ? s.from.pitch * static_cast<size_t>((s.end - s.first) / 2) : 0;
 }
 
 template <class W>
@@ -321,14 +339,17 @@ static void strip_words(const Strip& s) {
   const World& w = *s.world;
   WorldTaps taps;
   reach<W>(w, taps);
-  // Of a torus that leans every cell of the period is wanted, of any other grid its cells.
-  const uint32_t words = words_of<W>(w.lean != 0 ? s.from.period : s.from.width);
+  // Of a torus that leans every cell of the period is wanted.
+  const uint32_t left = w.lean != 0 ? 0 : s.left & ~7u, right = w.lean != 0 ? s.from.period : s.right;
   const bool add = w.lean == 0 && s.add;
   uint8_t* const to = w.lean != 0 ? s.leaning : s.to + s.from.pitch * s.first;
-  for (uint32_t column = 0; column < words; ++column)
-    strip_column<W>(
-        s, column, taps.whole, taps.change, to, s.from.pitch,
-        [&](const W(*sums)[kSumBits], int32_t, const uint8_t* out) { return any_of(sums, w.masks, add, out); });
+  const size_t apart = sizeof(W) == 32 ? apart_of(s, right - left) : 0;
+  const int32_t end = s.end - static_cast<int32_t>(apart / s.from.pitch);
+  for (uint32_t column = left; column < right; column += 8 * static_cast<uint32_t>(sizeof(W)))
+    strip_column<W>(s, column, end, apart, taps.whole, taps.change, to, s.from.pitch,
+                    [&](const W(*sums)[kSumBits], int32_t, const uint8_t* out) {
+                      return any_of(sums, w.masks, add, apart, out);
+                    });
   if (w.lean != 0) stand_up(s, s.leaning, s.from.pitch);
 }
 
@@ -353,7 +374,7 @@ static void turn_block(W* word) {
 template <class W>
 static void turn_words(const Turning& t) {
   for (uint32_t y = t.first; y < t.end; y += 64)
-    for (uint32_t x = 0; x < t.width; x += 8 * sizeof(W)) {
+    for (uint32_t x = t.left; x < t.right; x += 8 * sizeof(W)) {
       W word[64];
       for (uint32_t k = 0; k < 64; ++k) get_word(t.from + (y + k) * t.pitch + x / 8, word[k]);
       turn_block(word);

@@ -5,7 +5,7 @@
 namespace dapple::stencil {
 
 static void make_directions(const Steered& s, uint32_t column, uint64_t* direction) {
-  const int32_t x = static_cast<int32_t>(64 * column);
+  const int32_t x = static_cast<int32_t>(column);
   const uint8_t count = static_cast<uint8_t>(base::min(64, static_cast<int32_t>(s.strip.from.width) - x));
   for (int32_t y = s.strip.first; y < s.strip.end; ++y) {
     int8_t c2[64] = {}, s2[64] = {};

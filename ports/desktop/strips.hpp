@@ -45,7 +45,8 @@ struct Strip {
   bool add;           // to the cells that are on there
   int16_t threshold;  // D > threshold
   uint16_t first, end;
-  uint8_t* leaning;  // room for rows first .. end - 1 of a world that leans
+  uint16_t left, right;  // cells of a row that are wanted, left .. right - 1; where a world leans, all are made
+  uint8_t* leaning;      // room for rows first .. end - 1 of a world that leans
 };
 
 // in[0]: a Strip.
@@ -63,15 +64,15 @@ struct Steered {
 // in[0]: a Steered.
 void steer_strip_row(const grid::Rows& rows);
 
-// x and y exchanged: rows first .. end - 1, in blocks of 64, of `from` become columns of `to`, whose rows are to_pitch
-// bytes apart. There is room for whole blocks, and whole words of 32 bytes, in both.
+// x and y exchanged: cells left .. right - 1 of rows first .. end - 1 of `from`, in blocks of 64 rows, become rows of
+// `to`, which are to_pitch bytes apart. There is room for whole blocks, and whole words of 32 bytes, in both.
 struct Turning {
   const uint8_t* from;
   uint8_t* to;
   size_t pitch, to_pitch;
-  uint16_t first, end;
-  uint32_t width;  // cells of a row of `from`
-  bool add;        // to the cells that are on there
+  uint16_t first, end;   // first: a multiple of 64
+  uint32_t left, right;  // left: a multiple of 64, whole words of 32 bytes before the end of whole words of a row
+  bool add;              // to the cells that are on there
 };
 
 // in[0]: a Turning.

@@ -49,6 +49,19 @@ inline Lanes load_lanes(const uint8_t* from) { return *reinterpret_cast<const An
 inline void get_word(const uint8_t* from, Wide& word) { word = load_lanes(from); }
 inline void put_word(uint8_t* to, Wide word) { *reinterpret_cast<AnyLanes*>(to) = word.lanes; }
 
+// Two words of half the width as one.
+typedef uint64_t HalfLanes __attribute__((vector_size(16), aligned(1), may_alias));
+template <class W>
+inline void get_halves(const uint8_t* low, const uint8_t* high, W& word) {
+  word = __builtin_shufflevector(*reinterpret_cast<const HalfLanes*>(low), *reinterpret_cast<const HalfLanes*>(high), 0,
+                                 1, 2, 3);
+}
+template <class W>
+inline void put_halves(uint8_t* low, uint8_t* high, W word) {
+  *reinterpret_cast<HalfLanes*>(low) = __builtin_shufflevector(word.lanes, word.lanes, 0, 1);
+  *reinterpret_cast<HalfLanes*>(high) = __builtin_shufflevector(word.lanes, word.lanes, 2, 3);
+}
+
 // Words moved by one to eight cells: `back` holds cells x - k, `on` cells x + k. before, after: the bytes around them.
 inline void shifted(const uint8_t* row, size_t at, uint8_t r, Wide* copy) {
   const Lanes here = load_lanes(row + at);

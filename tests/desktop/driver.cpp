@@ -154,6 +154,7 @@ TEST_CASE("driver: masks along every direction, on tori and windows of any size,
                                  "bits level=0 masks=4 angles=0,45,90,135 window=7 rho=0.2 steps=4",
                                  "bits level=1 masks=5 angles=9,45,81,117,153 rho=0.27 steps=4",
                                  "bits level=0 masks=2 react=da angles=0,90 steps=4",
+                                 "bits level=0 masks=3 angles=9,81,117 window=8 rho=0.27 steps=15",
                                  "bits level=0 masks=2 angles=20,120 solver=lean rho=0.15 steps=4"};
   desktop::Driver one(1), several[] = {desktop::Driver(2), desktop::Driver(3), desktop::Driver(8)};
   for (const char* text : recipes) {

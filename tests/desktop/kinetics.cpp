@@ -28,6 +28,8 @@ const char* const kRecipes[] = {
     "meinhardt-stripes vary=0.1 steps=20 then freeze steps=9",
     "fitzhugh-nagumo stretch=2 angle=30 steps=40",
     "fitzhugh-nagumo vary=0.1 steps=40",
+    "gray-scott steps=70",
+    "gray-scott scale=0.55 feed=0.046 kill=0.063 start=noise steps=40",
     "schnakenberg steps=40",
     "schnakenberg vary=0.05 steps=20",
     "brusselator steps=40",

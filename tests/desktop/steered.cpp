@@ -179,7 +179,10 @@ TEST_CASE("steered: sums of +-127 along any direction, by the kernels of every t
             const uint16_t end = parts && first == kRadius ? uint16_t{33} : uint16_t{Cells::kHeight - kRadius};
             const int16_t threshold = stencil::threshold_of(p[1], extreme.set().masks.sum);
             const stencil::Steered steered = {
-                {&world, from, out.data(), false, threshold, first, end, nullptr}, &extreme.set(), directions, fresh};
+                {&world, from, out.data(), false, threshold, first, end, 0, Cells::kWidth, nullptr},
+                &extreme.set(),
+                directions,
+                fresh};
             grid::Rows call{};
             call.in[0] = &steered;
             row(call);
