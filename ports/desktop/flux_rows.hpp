@@ -4,6 +4,7 @@
 #include "fluxed.hpp"
 
 #include "../../lib/stencil/flux_cell.hpp"
+#include "rounded.hpp"
 
 namespace dapple::stencil {
 
@@ -17,17 +18,8 @@ DAPPLE_APART static void weights_row(const i16* DAPPLE_RESTRICT pull, const i16*
   }
 }
 
-// What it carries: floor(d weight / 2^15 + 1/2), d = to - from, a single operation of AVX2, which gcc sees by this
-// form; elsewhere as carried_of has it.
-static inline i16 rounded_product(i16 d, i16 weight) {
-#if DAPPLE_WIDE == 32 && !defined(__clang__)
-  return static_cast<i16>((((static_cast<int32_t>(d) * weight) >> 14) + 1) >> 1);
-#else
-  return static_cast<i16>((mulhi(static_cast<i16>(2 * d), static_cast<i16>(2 * weight)) + 1) >> 1);
-#endif
-}
-
-// What comes from ahead less what went on from behind. weight_from, from: of the cells behind.
+// What comes from ahead less what went on from behind; a link carries floor((to - from) weight / 2^15 + 1/2).
+// weight_from, from: of the cells behind.
 DAPPLE_APART static void flow_row(const i16* DAPPLE_RESTRICT weight_from, const i16* DAPPLE_RESTRICT weight,
                                   const i16* DAPPLE_RESTRICT from, const i16* DAPPLE_RESTRICT cell,
                                   const i16* DAPPLE_RESTRICT to, i16* DAPPLE_RESTRICT out, uint16_t n) {

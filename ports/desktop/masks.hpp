@@ -1,7 +1,8 @@
 // Steps of binary convolution (lib/evolve/convolution.hpp) where a cell is on as soon as one mask says so: every mask
 // in the world in which it takes the fewest taps (strips.hpp), the grid in memory of its own. And those along a field
 // of directions (lib/evolve/steering.hpp), whose masks stay upright since their sums are mixed; the directions are
-// kept. SPDX-License-Identifier: MIT
+// kept.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
 

@@ -1,7 +1,8 @@
 // Cell programs a vector at a time, as polynomials over two elements: f = f0 ^ (x & f1) for one cell of the
 // neighbourhood after the other [Reed-Muller]. What the cell itself makes of two coefficients is 0, 1, the cell or its
 // inverse: these are kept for a block of vectors and looked up, so that thirty operations are left of sixty-two,
-// whatever the program. SPDX-License-Identifier: MIT
+// whatever the program.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace dapple::cells {
