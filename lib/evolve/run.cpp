@@ -228,7 +228,8 @@ bool advance(Run& run, uint32_t rows, bool one_part) {
         run.at_row = 0;
         continue;
       }
-      if (rows == 0 && run.driver != nullptr && run.step < run.stage.steps) return true;  // for which it wants rows
+      const bool begins = run.cursor.sweep == 0 && run.step < run.stage.steps;
+      if (rows == 0 && run.driver != nullptr && begins) return true;  // a step, for which the driver wants rows
       const uint32_t done = driven(run, rows);
       rows -= done;
       run.rows += done;

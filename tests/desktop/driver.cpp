@@ -1,5 +1,7 @@
 // The driver of ports/desktop: any number of threads, passes fused in cache, any budget, the same bytes.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "../goldens.hpp"
 #include "driver.hpp"
 #include "each_table.hpp"
@@ -239,4 +241,26 @@ TEST_CASE("driver: rows that end with a step leave the next one to it, and a sta
   CHECK(fields[0] == fields[1]);
   CHECK(counted.asked == 3);
   CHECK(counted.done == 3);
+}
+
+TEST_CASE("driver: a step is counted with its last row, however the rows were asked for") {
+  const dapple::Domain domain = dapple::torus(96, 80);
+  const dapple::Recipe recipe = tests::recipe_of("gray-scott feed=0.0367 kill=0.0649 steps=6"),
+                       half = tests::recipe_of("gray-scott feed=0.0367 kill=0.0649 steps=3");
+  std::vector<uint8_t> memory(dapple::bytes_for(recipe, domain));
+  Counted counted(1);
+  for (const uint32_t budget : {1u, 7u, 80u, 160u}) {
+    dapple::Options options;
+    options.driver = &counted;
+    dapple::Texture texture;
+    REQUIRE(texture.begin(recipe, domain, kSeed, memory.data(), memory.size(), options) == dapple::ok);
+    for (uint64_t left; (left = 5 * 80 - texture.rows_done()) > 0 && texture.steps_done() < 3;)
+      texture.step(static_cast<uint32_t>(std::min<uint64_t>(budget, left)));
+    CHECK(texture.rows_done() == 5 * 80);  // the start of two planes, three steps
+    CHECK(texture.steps_done() == 3);
+    CHECK(texture.between_steps());
+    std::vector<int16_t> field(96 * 80);
+    for (uint16_t y = 0; y < 80; ++y) texture.row(y, field.data() + 96 * y);
+    CHECK(field == tests::Grown(half, domain, kSeed).field());
+  }
 }
