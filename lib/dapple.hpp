@@ -106,7 +106,8 @@ class Texture {
   //   stamp    a disc of pixels, radius at most 4096, becomes what discs of seeds are, or (on false) the uniform state
   //   change   number `slot` of the recipe's stage, 1/kMicro or a word's index, until the stage ends; explicit kinetics only.
   //            out_of_range, unstable: it cannot be that, and stays; not_now: a number that the stage's first step has laid
-  //            into planes (vary, map, detail, grade, finest, a map's angle, a picture's growth, dark and lit)
+  //            into planes (vary, map, detail, grade, finest, a map's angle, a picture's growth, dark and lit), or a map
+  //            or grade for a stage that began without either
   //   go_on    as many steps more of the last stage, once the texture is done; not of windows of the plane. Schedules then
   //            run over all the steps
   Status stamp(int32_t x, int32_t y, uint16_t radius, bool on);

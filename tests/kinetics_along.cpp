@@ -106,17 +106,7 @@ TEST_CASE("along a map: what has grown has no seam") {
 }
 
 TEST_CASE("along a map: the same bits however the run is sliced and in however many bands") {
-  for (const tests::Kind& kind : tests::kinds()) {
-    const std::string text = kind.family + kind.scale +
-                             " vary=0.05 stretch=1.5 angle=20 map=swirl level=1 steps=9 then refine steps=5 map=radial" +
-                             kind.dt + " then freeze reset=off above=0.4 held=apart steps=7 then carry steps=3";
-    INFO(text);
-    const dapple::Domain domain = dapple::torus(74, 50);
-    const std::vector<int16_t> whole = tests::sliced_field(text, domain);
-    std::string other = text;
-    other.replace(other.find("map=swirl"), 9, "map=bends");
-    CHECK(field_of(other, domain) != whole);
-  }
+  tests::check_slices("map=swirl", "map=bends", "map=radial", "");
 }
 
 TEST_CASE("along a map: two windows of the plane agree") {

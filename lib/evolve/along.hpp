@@ -79,8 +79,7 @@ constexpr const Solver* with_places(const Solver* solver, bool places, const Sol
   return places ? &along_solver : &kinetics_solver;
 }
 
-// Numbers that the first sweep of a stage lays into planes, and those of places, which choose the solver: once the stage
-// has begun they are what they were.
+// Numbers that the first sweep of a stage lays into planes: from its second step on they are what they were.
 constexpr bool is_laid(const Solver& solver, const int32_t* number, uint8_t slot) {
   const bool turns = slot == kinetics::angle && solver.maps == Maps::on && has_map(number);
   const bool grows = solver.pictured && (slot == turing::growth || slot == turing::dark || slot == turing::lit);

@@ -54,7 +54,8 @@ Status change(Run& run, uint8_t slot, int32_t value) {
   const auto accepts = run.solver.accepts;
   const bool fits = run.model.in_range(stage.number) && as_large(before, reach());
   const bool good = fits && (accepts == nullptr || accepts(stage.number, stage.stored, run.domain) == ok);
-  const bool laid = run.step > 0 && is_laid(run.solver, stage.number, slot);
+  const bool placed = slot >= along::map && run.solver.maps != Maps::on;  // it would take another solver
+  const bool laid = placed || (run.step > 0 && is_laid(run.solver, stage.number, slot));
   Status status = !good ? out_of_range : laid ? not_now : ok;
   if (status == ok) {
     const Bound bound = run.model.bound(stage.number, stage.level);

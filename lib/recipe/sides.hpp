@@ -10,8 +10,8 @@ constexpr bool takes_maps(const Stage& stage) {
 }
 
 // Hands the directions of map=image, the styles of solver=styled, the measured surface of solver=surface and the pictures
-// of solver=pictured and grade=image to every stage of a recipe. begin looks at them, and answers bad_map or bad_surface where they are
-// wanted and missing, or of a wrong size.
+// of solver=pictured and grade=image to every stage of a recipe. begin looks at them, and answers bad_map or bad_surface
+// where they are wanted and missing, or of a wrong size.
 constexpr void set_maps(Recipe& recipe, const PlaceMaps& maps) {
   for (uint8_t i = 0; i < recipe.stages; ++i)
     if (takes_maps(recipe.stage[i])) recipe.stage[i].stored = &maps;
